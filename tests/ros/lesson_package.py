@@ -1,5 +1,7 @@
 """A pupil's package for the checks of its files."""
 
+import pytest
+
 from jetbot_lessons import packages
 
 PACKAGE_XML = """<package format="3"><name>mine</name><version>0.0.1</version><description>Mine.</description>
@@ -10,8 +12,9 @@ SCRIPT = "#!/usr/bin/env python3\nprint()\n"
 INCLUDE = '<include file="$(find jetbot_control_node)/launch/jetbot_controller.launch" pass_all_args="true"/>'
 
 
-def make_package(tmp_path, monkeypatch):
-    """Return the folder of a package with nothing missing."""
+@pytest.fixture(name="mine")
+def made_package(tmp_path, monkeypatch):
+    """The folder of a package with nothing missing."""
     monkeypatch.setattr(packages, "__file__", str(tmp_path / "src/jetbot_lessons/src/jetbot_lessons/packages.py"))
     (tmp_path / "src/jetbot_lessons").mkdir(parents=True)
     (tmp_path / "src/jetbot_lessons/package.xml").write_text(PACKAGE_XML.replace("mine", "jetbot_lessons"))

@@ -7,13 +7,7 @@ import pytest
 
 from jetbot_lessons import lessons, marking, package_files
 from judged_bags import TRUTH, write
-from lesson_package import DRIVE, PACKAGE_XML, SCRIPT, make_package
-
-
-@pytest.fixture
-def mine(tmp_path, monkeypatch):
-    """The folder of a package with nothing missing."""
-    return make_package(tmp_path, monkeypatch)
+from lesson_package import DRIVE, PACKAGE_XML, SCRIPT, made_package  # noqa: F401  a fixture
 
 
 def mark(lesson, folder):

@@ -6,13 +6,7 @@ import pytest
 
 from jetbot_lessons import answers, lessons, package_files, packages
 from jetbot_lessons.package_files import check_launch_files, check_scripts
-from lesson_package import DRIVE, INCLUDE, LAUNCH, PACKAGE_XML, SCRIPT, make_package
-
-
-@pytest.fixture
-def mine(tmp_path, monkeypatch):
-    """The folder of a package with nothing missing."""
-    return make_package(tmp_path, monkeypatch)
+from lesson_package import DRIVE, INCLUDE, LAUNCH, PACKAGE_XML, SCRIPT, made_package  # noqa: F401  a fixture
 
 
 def exists(package):

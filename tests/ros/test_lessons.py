@@ -17,7 +17,7 @@ from jetbot_lessons.lessons import LAST
 from jetbot_lessons.motion import check_command
 from jetbot_ros import processes
 from jetbot_ros.state import RobotState
-from lesson_package import make_package
+from lesson_package import made_package  # noqa: F401  a fixture
 
 SCRIPT = Path(__file__).parents[2] / "morbot_ws/src/jetbot_lessons/scripts/check_lesson.py"
 parse = runpy.run_path(str(SCRIPT))["parse"]
@@ -79,12 +79,6 @@ def test_a_master_that_freezes_ends_the_check(monkeypatch):
     monkeypatch.setattr(graph, "ASK_INTERVAL", 0.0)
     graph.report_loss(problems.put)
     assert problems.get(timeout=10) == "frozen" and not list(answers)
-
-
-@pytest.fixture
-def mine(tmp_path, monkeypatch):
-    """The folder of a package with nothing missing."""
-    return make_package(tmp_path, monkeypatch)
 
 
 @pytest.fixture
