@@ -14,7 +14,7 @@ import rospy
 from rosmaster.main import rosmaster_main
 
 from jetbot.wait import wait_until
-from processes import end_with_parent, free_port
+from processes import SHUTDOWN_TIMEOUT, end_with_parent, free_port
 
 FOLDER = Path(__file__).parent
 BEHAVIOURS = sorted(path.stem for path in FOLDER.glob("behaviours/*.py"))
@@ -54,10 +54,10 @@ def run_below_a_master(behaviour, folder):
         return test.exitcode, log.read_text()
     finally:
         for process in test, master:
-            if process.is_alive():
-                process.terminate()
             if process.pid:
-                process.join()
+                process.terminate()
+                process.join(SHUTDOWN_TIMEOUT)
+                process.kill()
 
 
 def in_process(home, uri, log, act, argument):

@@ -26,7 +26,7 @@ from jetbot_cockpit.web.access import make_grants, numbered
 
 IDS = [f"{number:016x}" for number in range(100)]
 SQUARE, CIRCLE, STAR = (json.dumps({"blocks": {name: 1}}) for name in ("square", "circle", "star"))
-CALLS = "os.replace", "os.fsync", "pathlib.Path.open", "pathlib.Path.unlink"
+CALLS = "os.replace", "os.fsync", "os.open", "pathlib.Path.unlink"
 
 
 class Killed(BaseException):
