@@ -16,8 +16,8 @@ LONGEST = (PAGES, "::test_the_page[python_worker.test.js]", "/test_fleet_update.
 FLEET = "tests/fleet/"  # all of these share one school
 BROWSER = "tests/browser/"  # each part of these tests, and those in each engine, share a world and their browsers
 PARTS = {part: re.compile(f"{BROWSER}test_({names})") for part, names in {  # the longest first
-    "everybody": "accessibility|blocks|page", "pad": "access[.]|camera|dead|driving|hub|stop",
-    "lessons": "python_lesson|tablet", "class": "keys|pseudo|robots|sharing", "equal": "python_page_equal",
+    "everybody": "accessibility|blocks|page|states", "pad": "access[.]|camera|dead|driving|hub|stop",
+    "lessons": "python_lesson|tablet", "class": "keys|robots|sharing", "equal": "python_page_equal",
     "texts": "python_page|curves", "programs": "program|tasks", "safety": "python_safety", "work": "work"}.items()}
 PROCESSES = 8  # of ./morbot test
 OF_A_ROBOT = re.compile("JETBOT_|MORBOT$|ROSCONSOLE_|ROS_(MASTER_URI|IP|NAMESPACE|LOG_DIR)$|PYTHONWARNINGS$")

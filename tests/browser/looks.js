@@ -4,6 +4,12 @@ const visible = (element) => element.checkVisibility({ opacityProperty: true, vi
   && element.getClientRects().length > 0;
 const nameOf = (element) => element.id ? `#${element.id}` : `${element.tagName}.${element.className}`;
 
+// Returns the screen's [width, height], also where the page is too wide for it.
+function screenSize() {
+  const { width, height, scale } = visualViewport;
+  return scale < 1 ? [width * scale, height * scale].map(Math.round) : [innerWidth, innerHeight];
+}
+
 function misplaced(names) {
   return names.filter((name) => {
     const element = document.getElementById(name);
@@ -26,10 +32,16 @@ function shownBox(element) {
   return { left, top, right, bottom };
 }
 
-// Returns whether an element is shown to its edges.
-function isWhole(element) {
-  const [shown, { width, height }] = [shownBox(element), element.getBoundingClientRect()];
-  return shown.right - shown.left > width - 1 && shown.bottom - shown.top > height - 1;
+// Returns whether something around an element scrolls down to it.
+function scrolls(element) {
+  for (let around = element; around; around = around.parentElement) {
+    const shown = around === document.documentElement ? innerHeight : around.clientHeight;
+    const { position, overflowY } = getComputedStyle(around);
+    if (around.scrollHeight > shown + 1 && (overflowY !== "hidden" && overflowY !== "clip") && !around.closest("svg")
+      && (around === document.documentElement || overflowY !== "visible")) return true;
+    if (position === "fixed") return false;
+  }
+  return false;
 }
 
 // Returns whether the page scrolls below an element.
@@ -37,30 +49,87 @@ function isFixed(element) {
   return getComputedStyle(element.closest("section") ?? element).position === "fixed";
 }
 
+// What an element is part of: a sheet covers what is below it, and a dialog all.
+const layerOf = (element) => element.closest(".sheet, dialog");
+const CONTROLS = "button, input, select, a[href]";
+
 // Returns the controls and texts that lie over each other, in pairs.
 function overlapping() {
-  const parts = [...document.querySelectorAll("#cockpit :is(button, input, select, a[href], p, h2, dl, #pad, .wheel > *)")]
+  const parts = [...document.querySelectorAll(`#cockpit :is(${CONTROLS}, p, h2, dl, #pad, .wheel > *)`)]
     .filter((element) => visible(element) && !element.closest(".unseen, meter, svg") && !isFixed(element));
   const boxes = parts.map(shownBox);
   const length = (one, other, start, end) => Math.min(one[end], other[end]) - Math.max(one[start], other[start]);
   const overlap = (one, other) => length(one, other, "left", "right") > 1 && length(one, other, "top", "bottom") > 1;
   return parts.flatMap((one, index) => parts.slice(0, index)
-    .filter((other, place) => !other.contains(one) && overlap(boxes[index], boxes[place]))
+    .filter((other, place) => !other.contains(one) && layerOf(one) === layerOf(other) && overlap(boxes[index], boxes[place]))
     .map((other) => `${nameOf(other)}, ${nameOf(one)}`));
 }
 
-// Returns the controls of which a part is beside the screen.
-function besideScreen() {
-  const controls = [...document.querySelectorAll("#cockpit :is(button, input, select, a[href])")].filter(visible);
-  return controls.map((element) => [nameOf(element), element.getBoundingClientRect()])
-    .filter(([, { left, right }]) => left < 0 || right > innerWidth + 0.5).map(([name]) => name);
-}
-
 function smallControls(least) {
-  return [...document.querySelectorAll("button, input, select, a[href]")].filter(visible).filter((element) => {
-    const { width, height } = element.getBoundingClientRect();
+  const seen = (element) => visible(element) && !element.closest(".blocklyToast"); // a hint, which goes by itself
+  return [...document.querySelectorAll(CONTROLS)].filter(seen).filter((element) => {
+    const { width, height } = (element.closest("label") ?? element).getBoundingClientRect();
     return width < least - 0.1 || height < least - 0.1;
   }).map(nameOf);
+}
+
+// Returns what is wrong with the page on this screen, a sentence each. least: px of a control;
+// absent: a selector of the controls that such a screen does not show
+function faults(least, absent) {
+  const say = (names, what) => names.map((name) => `${name} ${what}`);
+  const all = [...document.querySelectorAll(`:is(${CONTROLS}, #pad, #sentence, #driver, #outcome)`)];
+  const login = document.querySelector("dialog[open]");
+  const top = all.filter((element) => !element.closest("[hidden], svg, .blocklyWidgetDiv, .blocklyToast")
+    && (login ? login.contains(element) : !element.closest("dialog")));
+  const shown = top.filter((element) => visible(element) && !element.closest(".unseen"));
+  return [
+    ...document.documentElement.scrollWidth > screenSize()[0] ? [`it scrolls sideways to ${widest()}`] : [],
+    ...say(cutWords(), "is cut off"), ...login ? [] : say(overlapping(), "overlap"),
+    ...say(smallControls(least), `is smaller than ${least} px`),
+    ...say(top.filter((each) => !visible(each) && !each.matches(absent)).map(nameOf), "is not shown"),
+    ...say(shown.filter(isBeside).map(nameOf), "is beside the screen, or cut off"),
+    ...say(shown.filter((each) => isCovered(each) && !each.matches(absent)).map(nameOf), "is covered"),
+  ];
+}
+
+// Notes from now on what has the focus.
+function noteFocus() {
+  window.focused ??= (addEventListener("focusin", ({ target }) => window.focused.add(target), true), 0) || new Set();
+  window.focused.clear();
+  window.focused.add(document.activeElement);
+}
+
+// Returns the controls that have not had the focus since then.
+function unreached() {
+  const around = document.querySelector("dialog[open]") ?? document;
+  return [...around.querySelectorAll(`:is(${CONTROLS}, summary, #pad, #python, #output)`)].filter((each) => visible(each)
+    && !each.disabled && each.tabIndex >= 0 && !each.closest("svg, .blocklyWidgetDiv, #blocks, #text") && !window.focused.has(each))
+    .map(nameOf);
+}
+
+// Returns the name of what reaches the farthest to the right.
+function widest() {
+  const right = (element) => element.getBoundingClientRect().right;
+  return nameOf([...document.querySelectorAll("body *")].reduce((one, other) => right(other) > right(one) ? other : one));
+}
+
+// Returns whether a part of an element is not to be seen, and nothing scrolls to it.
+function isBeside(element) {
+  const [shown, box] = [shownBox(element), element.getBoundingClientRect()];
+  if (box.left < -0.5 || box.right > innerWidth + 0.5 || shown.right - shown.left < box.width - 1) return true;
+  return (box.top < -0.5 || box.bottom > innerHeight + 0.5 || shown.bottom - shown.top < box.height - 1) && !scrolls(element);
+}
+
+// Returns whether something else is over the middle of an element that is on the screen.
+function isCovered(element) {
+  const { left, right, top, bottom } = shownBox(element);
+  const [x, y] = [(left + right) / 2, (top + bottom) / 2];
+  const over = bottom - top > 1 && document.elementFromPoint(x, y);
+  if (!over || element.contains(over) || over.contains(element)) return false;
+  if (over.closest(".blocklyToast, .cm-tooltip")) return element.id === "stop"; // they go by themselves
+  const sheet = over.closest(".sheet");
+  if (sheet && !sheet.contains(element)) return element.closest("#stops") !== null;
+  return !(isFixed(over) && scrolls(element));
 }
 
 // Returns [red, green, blue, alpha] of a computed colour; a canvas converts every notation.
@@ -167,7 +236,8 @@ function blend({ fill, fillOpacity }, below) {
   return `rgb(${top.slice(0, 3).map((part, index) => Math.round(part * fillOpacity + bottom[index] * (1 - fillOpacity)))})`;
 }
 
-const NO_LANGUAGE = "[translate=no], .language, #python, #prints, #variables, #work-list .name, #all-programs, script";
+const NO_LANGUAGE = "[translate=no], .language, #python, #prints, #variables, #work-list .name, #all-programs,"
+  + " .cm-tooltip-autocomplete, script";
 const WORDS_IN = ["title", "aria-label", "aria-roledescription", "aria-valuetext", "placeholder"];
 
 // Returns what a person sees or hears of the page that is not in brackets, nor one of these words.
@@ -185,7 +255,8 @@ function untranslated(known) {
 // Returns the text without what is in brackets, also in brackets of brackets.
 function unbracketed(text) {
   const inner = text.replace(/\[[^[\]]*\]/g, "");
-  return inner === text ? text : unbracketed(inner);
+  // Blockly shows what begins or ends all choices of a list once, beside them
+  return inner === text ? text.replace(/(^|: )[^[\]]*\]|\[[^[\]]*$/g, "") : unbracketed(inner);
 }
 
 // Returns the buttons, headings and labels whose text is not shown to its end.

@@ -3,14 +3,30 @@
 from pathlib import Path
 from typing import List, Optional, Tuple
 
+from selenium.webdriver import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 
-from .chromium import Chromium
+from .chromium import KEYS, Chromium
 from .cockpit_page import CockpitPage
+from .messages import numbered, robot_named
+from .programs import as_file
 
-PHONE = (390, 844)  # px
+PHONE, DESKTOP = (390, 844), (1280, 800)  # px
+TOUCH_SCREENS = [(360, 640), (390, 844), (844, 390), (820, 1180), (1180, 820)]  # px
+FINGER, MOUSE = 44, 24  # px that each control has at least
 LOOKS = Path(__file__).with_name("looks.js").read_text()
+# Cuts the page off from its cockpit: from then on it gets only what a test lets it receive, and pongs.
+ALONE = """const receive = socket.onmessage; socket.onmessage = (event) =>
+    event.isTrusted && !String(event.data).includes('pong') || receive(event);
+window.WebSocket = class {
+    static OPEN = 1;
+    readyState = 1;
+    bufferedAmount = 0;
+    constructor() { window.socket = this; setTimeout(() => this.onopen()); }
+    send(text) { text.includes('ping') && this.onmessage({data: text.replace('ping', 'pong')}); }
+    close() {}
+};"""
 CONTROLS = "a[href], button, input, select, [tabindex]:not([tabindex='-1'])"
 
 
@@ -35,6 +51,11 @@ class Page(Chromium, CockpitPage):
         """Return the element with this id."""
         return self.driver.find_element(By.ID, name)
 
+    def open_file(self, content) -> None:
+        """Open a program, or a text, from a file."""
+        self.element("file").send_keys(as_file(self.downloads.parent, content))
+        self.wait_for(lambda: not self.value("file"), "the file to be read")
+
     def receive(self, message: dict) -> None:
         """Let the page receive a message that the cockpit has not sent."""
         self.run("socket.onmessage({data: JSON.stringify(arguments[0])})", message)
@@ -44,12 +65,10 @@ class Page(Chromium, CockpitPage):
 
         color: of all, else each has its own; state: of each robot, beside its place.
         """
-        self.run("const receive = socket.onmessage; socket.onmessage = (event) =>"
-                 " event.isTrusted && !String(event.data).includes('pong') || receive(event);")
-        ids = [f"/jetbot_{number:02d}" for number in range(1, robots + 1)]
+        self.run(ALONE)
+        ids = [f"/{name}" for name in numbered(robots)]
         self.receive({"type": "robots", "robots": [
-            {"id": robot, "label": robot[1:], "color": color or f"#{96 + 8 * number:02x}4040", "workshop": True,
-             "wheel_separation": 2.0, "max_speed": 1.0, "simulated": True} for number, robot in enumerate(ids)]})
+            robot_named(robot[1:], color=color or f"#{96 + 8 * number:02x}4040") for number, robot in enumerate(ids)]})
         for robot in ids:
             self.receive({"type": "trail", "robot": robot, "points": []})  # of earlier drives
         known = {"status": "", "state": "driving", "cause": "", "holds": [], "waiting": [], "fake": False,
@@ -99,10 +118,26 @@ class Page(Chromium, CockpitPage):
         return [element.get_attribute("id") for element in self.driver.find_elements(By.CSS_SELECTOR, CONTROLS)
                 if element.is_displayed() and element.is_enabled() and element.get_attribute("id")]
 
+    def tap(self, *keys: str) -> None:
+        """Press keys, one after the other, and let each go."""
+        chain = ActionChains(self.driver, duration=0)
+        for key in keys:
+            chain.key_down(KEYS.get(key, key)).key_up(KEYS.get(key, key))
+        chain.perform()
+
     def tab(self) -> str:
         """Press the Tab key; return the id of what has the focus then."""
         self.tap("Tab")
         return self.run("return document.activeElement.id")
+
+    def unreached(self, least: int = 12) -> List[str]:
+        """Return the controls that the Tab key does not reach from here, however often it is pressed."""
+        self._looks("noteFocus")
+        for _ in range(4):
+            self.tap(*["Tab"] * max(least, len(self._looks("unreached")) + 3))
+            if not self._looks("unreached"):
+                break
+        return self._looks("unreached")
 
     def tab_to(self, name: str) -> None:
         """Press the Tab key until the element with this id has the focus."""
@@ -111,7 +146,7 @@ class Page(Chromium, CockpitPage):
     def resize(self, width: int, height: int, touch: bool = True) -> None:
         """Show the page on a screen of this size in px; touch: whether it is a touch screen."""
         self.screen(width, height, touch)
-        self.wait_for(lambda: self.run("return [innerWidth, innerHeight]") == [width, height], "this screen")
+        self.wait_for(lambda: self._looks("screenSize") == [width, height], "this screen")
 
     def fits(self, *names: str) -> bool:
         """Return whether nothing scrolls sideways, and the elements with these ids are on the screen."""
@@ -125,13 +160,12 @@ class Page(Chromium, CockpitPage):
         """Return the controls and texts that lie over each other, in pairs."""
         return self._looks("overlapping")
 
-    def beside_screen(self) -> List[str]:
-        """Return the controls of which a part is beside the screen."""
-        return self._looks("besideScreen")
+    def faults(self, least: int, absent: str) -> List[str]:
+        """Return what is wrong with the page on this screen, a sentence each.
 
-    def is_whole(self, name: str) -> bool:
-        """Return whether the element with this id is shown to its edges."""
-        return self.run(f"{LOOKS}\nreturn isWhole(document.getElementById(arguments[0]))", name)
+        least: px of a control; absent: a selector of the controls that such a screen does not show, or covers.
+        """
+        return self._looks("faults", least, absent)
 
     def small_controls(self, least: int) -> List[str]:
         """Return the visible controls that are smaller than this, in px."""
@@ -168,10 +202,6 @@ class Page(Chromium, CockpitPage):
     def untranslated(self, *known: str) -> List[str]:
         """Return the texts that are not in brackets, beside these words."""
         return self._looks("untranslated", list(known))
-
-    def cut_words(self) -> List[str]:
-        """Return the texts of buttons, headings and labels that are not shown to their ends."""
-        return self._looks("cutWords")
 
     def _looks(self, function, *arguments):
         return self.run(f"{LOOKS}\nreturn {function}(...arguments)", *arguments)

@@ -1,6 +1,5 @@
 """The page of a class of real robots, served by a hub: each robot has a ROS master and a cockpit of its own."""
 
-import json
 import re
 from base64 import b64decode
 
@@ -9,16 +8,15 @@ import pytest
 from jetbot.fake.motors import STOPPED
 from jetbot.wait import wait_until
 
-from .accessibility import violations
 from .conftest import need
-from .hub_class import receive_fleet
+from .messages import codes_of, numbered, receive_fleet
+from .page import DESKTOP
 from .programs import as_file, drive, program
 from .real_class import RealClass
 from .test_accessibility import LISTEN
-from .test_page import DESKTOP, FINGER, MOUSE
 
 ONE, OTHER, THIRD = ROBOTS = "jetbot_01", "jetbot_02", "jetbot_03"
-PHONE, UPRIGHT, LYING = (360, 640), (820, 1180), (1024, 768)  # px
+PHONE, LYING = (360, 640), (1024, 768)  # px
 BACK_WITHIN = 60.0  # s until a robot's programs have started
 CARDS = """return [...document.querySelectorAll("#codes-list li")].map((card) => ["h3", ".address", ".code"].map(
   (part) => card.querySelector(part).textContent))"""
@@ -123,11 +121,8 @@ def test_the_cards_open_by_themselves_with_each_robots_own_address(page, robots)
 def test_the_cards_of_fifteen_robots_are_one_sheet_of_paper(page):
     receive_fleet(page)
     page.click("#show-codes")
-    names = [f"jetbot_{number:02d}" for number in range(1, 16)]
-    page.receive({"type": "codes", "codes": [
-        {"label": name, "robot": f"/{name}", "role": "pupil", "url": f"http://192.168.100.{place + 100}:8080/#abcdef",
-         "code": "abcdef", "rows": ["01" * 14 + "0"] * 29} for place, name in enumerate(names)]})
-    assert [card[0] for card in page.run(CARDS)] == names and len({card[1] for card in page.run(CARDS)}) == 15
+    page.receive(codes_of(15))
+    assert [card[0] for card in page.run(CARDS)] == numbered(15) and len({card[1] for card in page.run(CARDS)}) == 15
     from selenium.webdriver.common.print_page_options import PrintOptions
     a4 = PrintOptions()
     a4.page_height, a4.page_width = 29.7, 21.0
@@ -186,21 +181,3 @@ def test_the_health_of_a_robot_is_shown_where_it_needs_something_and_else_when_a
     assert link.get_attribute("rel") == "noopener"
     page.tap("Enter")
     page.wait_for(lambda: not page.text("health"), "it to be closed")
-
-
-def test_the_page_of_a_class_breaks_no_rule_and_fits_each_screen_by_day_and_by_night(page):
-    found = []
-    for screen in PHONE, UPRIGHT, LYING, DESKTOP:
-        page.resize(*screen, touch=screen != DESKTOP)
-        for missing in [], ["jetbot_03", "jetbot_09"]:
-            receive_fleet(page, missing)
-            page.choose("jetbot_04")
-            page.wait_for(lambda missing=missing: bool(page.text("unconfirmed")) == bool(missing), "the line")
-            for scheme in "light", "dark":
-                page.media(prefers_color_scheme=scheme, prefers_reduced_motion="reduce")
-                found += [(screen, missing, scheme, each) for each in violations(page)]
-            found += [(screen, missing, each) for each in (
-                *page.overlapping(), *page.cut_words(), *page.beside_screen(), *page.misplaced("stop", "release"),
-                *page.small_controls(MOUSE if screen == DESKTOP else FINGER))]
-    page.media()
-    assert not found, json.dumps(found, indent=1)

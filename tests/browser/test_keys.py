@@ -1,8 +1,10 @@
 """The page for programs by keys alone: no mouse, no finger, and the focus is never lost."""
 
 from .conftest import ROBOT
-from .programs import block, calculate, drive, num, plug, program, show, wait
+from .messages import TASKS
+from .programs import drive, plug, program, show, wait
 from .test_program import CHANGE, close, undisturbed
+from .test_states import ENDLESS, FAILS
 
 FOCUS = """const { activeElement: focused } = document;
     return focused.closest("#blocks, .blocklyWidgetDiv") ? "blocks" : focused.id"""
@@ -11,18 +13,7 @@ LISTEN = """window.said = [];
     for (const each of document.querySelectorAll("#outcome, #score, #kept")) new MutationObserver(() => {
         if (each.ariaLive !== "off") said.push(each.textContent);
     }).observe(each, {childList: true});"""
-TASKS = {"type": "tasks", "tasks": [{"name": "metre", "title": "One metre, and back again", "on": True}]}
-ENDLESS = program(block("controls_whileUntil", {"MODE": "WHILE"}, BOOL=plug("logic_boolean", {"BOOL": "TRUE"}),
-                        DO={"block": wait(1)}))
 TEXT_BOX = "Blockly.getMainWorkspace().getBlocksByType('text')[0].getField('TEXT').showEditor()"
-FAILS = program(drive(0.4, 0.4), show(calculate("DIVIDE", num(1), num(0))))
-
-
-def press(page, *keys):
-    """Press keys, one after the other."""
-    for key in keys:
-        page.tap(key)
-
 
 def wait_for_spoken(page, words):
     page.wait_for(lambda: words in (page.run(SPOKEN) or ""), f"{words!r} to have the focus")
@@ -41,18 +32,18 @@ def focus(page):
 def test_keys_alone_attach_a_block_to_the_start_change_its_number_and_run_it(blocks, world):
     page = blocks(program())
     page.tab_to("python")
-    press(page, "w", "ArrowDown")
+    page.tap("w", "ArrowDown")
     wait_for_spoken(page, "when the program starts")
-    press(page, "t", "ArrowRight", "ArrowDown", "ArrowDown")
+    page.tap("t", "ArrowRight", "ArrowDown", "ArrowDown")
     wait_for_spoken(page, "drive straight at x, 0.5, power")
-    press(page, "Enter", "Enter")  # takes it, puts it below the block that was looked at
+    page.tap("Enter", "Enter")  # takes it, puts it below the block that was looked at
     page.wait_for_text("python", "drive(0.5, 0, 1)")
-    press(page, "ArrowRight", "ArrowRight")
+    page.tap("ArrowRight", "ArrowRight")
     wait_for_spoken(page, "Edit x in power: 0.5")
-    press(page, "Enter", *"0.4", "Enter")
+    page.tap("Enter", *"0.4", "Enter")
     page.wait_for_text("python", "drive(0.4, 0, 1)")
     page.tab_to("run")
-    world.hold(page, lambda: press(page, "Enter"), lambda: press(page, "Escape"), ROBOT,
+    world.hold(page, lambda: page.tap("Enter"), lambda: page.tap("Escape"), ROBOT,
                lambda *wheels: close(wheels, (0.4, 0.4)))
     page.wait_for_text("outcome", "The program has ended.")
 
@@ -67,14 +58,14 @@ def test_t_and_w_lead_to_the_blocks_from_anywhere_but_are_letters_in_a_text(bloc
             page.tap(key)
             page.wait_for(lambda spoken=spoken: focus(page) == "blocks" and page.run(SPOKEN) == spoken,
                           f"{key} at #{name} to lead to the blocks")
-    press(page, "Escape", "t", "ArrowRight", "w")
+    page.tap("Escape", "t", "ArrowRight", "w")
     wait_for_spoken(page, "1 stack of blocks")
     page.tab_to("programs")
     page.tap("Enter")
     page.wait_for(lambda: focus(page) == "work", "the sheet")
     page.tap("t")
     wait_for_focus(page, "work", "a sheet is over the blocks")
-    press(page, "Escape")
+    page.tap("Escape")
 
 
 def test_enter_that_ends_a_conversion_ends_neither_a_name_nor_a_text_of_the_blocks(blocks):
@@ -92,10 +83,10 @@ def test_who_leaves_a_move_gets_where_they_go_and_the_keys_of_the_blocks_still_w
     page = blocks(program(wait(1)))
     for leave in lambda: page.tap("Tab"), lambda: page.click("#output"):
         page.tab_to("end")
-        press(page, "w", "ArrowDown", "ArrowDown", "m", "ArrowDown")
+        page.tap("w", "ArrowDown", "ArrowDown", "m", "ArrowDown")
         leave()
         assert page.run("return document.activeElement.closest('.blocklyTrash, #output')")
-        press(page, "w", "ArrowDown")
+        page.tap("w", "ArrowDown")
         wait_for_spoken(page, "when the program starts")
 
 
@@ -108,7 +99,7 @@ def test_the_focus_stays_while_a_program_runs_pauses_stops_and_ends(blocks):
         page.tap("Enter")
         page.wait_for_text("outcome", sentence)
         wait_for_focus(page, name, sentence)
-    press(page, "Escape")
+    page.tap("Escape")
     page.wait_for_text("outcome", "Stopped.")
     wait_for_focus(page, "run")
     page = blocks(FAILS)
@@ -134,14 +125,14 @@ def test_the_focus_is_not_lost_by_sheets_examples_files_tasks_and_blocks(blocks)
         for close_it in (["Escape"], ["Tab"] * controls + ["Enter"]):
             page.tap("Enter")
             page.wait_for(lambda sheet=sheet: focus(page) == sheet, "the sheet, loaded when opened first")
-            press(page, *close_it)
+            page.tap(*close_it)
             wait_for_focus(page, button)
     page.tab_to("examples")
     page.tap("ArrowDown")
     page.wait_for(lambda: page.value("title") == "One metre", "the example")
     wait_for_focus(page, "examples")
     page.tab_to("run")
-    press(page, "w", "ArrowDown", "ArrowDown", "Delete")
+    page.tap("w", "ArrowDown", "ArrowDown", "Delete")
     page.wait_for(lambda: focus(page) == "blocks" and page.run(SPOKEN), "a block beside the deleted one")
     blocks(program(drive(0.5, 1)))
     wait_for_focus(page, "blocks", "another program is there")
@@ -159,16 +150,16 @@ def test_the_focus_goes_into_the_text_and_back_to_where_it_can_be_edited(blocks)
     page.tab_to("edit")
     page.tap("Enter")
     wait_for_focus(page, "edit-question")
-    press(page, "Escape")
+    page.tap("Escape")
     wait_for_focus(page, "edit")
-    press(page, "Enter", "Tab", "Enter")
+    page.tap("Enter", "Tab", "Enter")
     page.wait_for(lambda: page.has("#text .cm-focused"), "the editor")
     page.wait_for(lambda: page.text("kept") == "Kept", "it to be kept")
-    press(page, "Escape")
+    page.tap("Escape")
     page.tab_to("to-blocks")
     page.tap("Enter")
     wait_for_focus(page, "to-blocks-question")
-    press(page, "Tab", "Enter")
+    page.tap("Tab", "Enter")
     wait_for_focus(page, "edit")
 
 
@@ -182,7 +173,7 @@ def test_the_focus_is_back_after_the_login_and_goes_on_when_the_other_robot_goes
     pupil.run("socket.close()")
     pupil.wait_for_text("login-error", "Enter the new one")
     wait_for_focus(pupil, "code")
-    press(pupil, *code, "Enter")
+    pupil.tap(*code, "Enter")
     pupil.wait_for(lambda: focus(pupil) == "save", "the focus to be back")
     pupil.wait_for_link()
     pupil.tab_to("robot")

@@ -3,20 +3,11 @@
 from jetbot.wait import wait_until
 
 from .conftest import OTHER_ROBOT, ROBOT
+from .messages import DONE, LONG
+from .page import DESKTOP, FINGER, MOUSE, TOUCH_SCREENS
 from .test_driving import hold
 
-TOUCH_SCREENS = [(360, 640), (390, 844), (844, 390), (820, 1180), (1180, 820)]  # px
-DESKTOP = (1280, 800)
-PROJECTORS = [(960, 540), (640, 400), (640, 340), (512, 324), (400, 300)]  # px that are left of them at 200 %
-SMALL_PHONE = (320, 568)
-FINGER, MOUSE = 44, 24  # px that each control has at least
-LONG = "stopped: " + "a reason that nobody has ever shortened, " * 7
-NAME = "a_robot_with_a_name_of_forty_characters_"
-LONG_TEXTS = f"""document.getElementById('sentence').textContent = {LONG!r};
-    document.getElementById('notice').textContent = {LONG!r};
-    document.getElementById('notice').hidden = false;
-    document.getElementById('driver').textContent = '{"W" * 20} drives it';
-    for (const each of document.querySelectorAll('#robot option, #fleet .label')) each.textContent = {NAME!r};"""
+SMALL_PHONE = (320, 568)  # px
 COUNT_MOVING = """return [...document.querySelectorAll('*')].filter(each => {
     const style = getComputedStyle(each);
     return style.animationName !== 'none' || style.transitionDuration.split(', ').some(time => time !== '0s');
@@ -28,40 +19,12 @@ GAP_ABOVE_PAD = """const bottom = Math.max(...[...document.querySelectorAll('#ba
 return document.getElementById('pad').getBoundingClientRect().top - bottom"""
 
 
-def test_everything_fits_the_screen_and_the_finger(page, pupil):
-    page.type("name", "W" * 20)
-    for each in page, pupil:
-        for screen in [*TOUCH_SCREENS, DESKTOP]:
-            each.run("document.getElementById('notice').hidden = true")
-            check_screen(each, screen, "pad", "stop", "status", "map", "to-program")
-            each.run(LONG_TEXTS)
-            assert each.misplaced("pad", "stop", "release") == [], f"with long texts on {screen}"
-            assert each.fits(), f"with long texts on {screen}"
-
-
 def test_the_choice_of_the_language_is_in_the_bar_which_stays_one_row_on_a_pupils_phone(page, pupil):
     for screen in [SMALL_PHONE, *TOUCH_SCREENS, DESKTOP]:
         for each in page, pupil:
             each.resize(*screen)
             each.wait_for(lambda each=each: each.outside("#bar .language", "#bar") == [], f"the choice on {screen}")
         assert pupil.element("bar").size["height"] < 50 or screen == SMALL_PHONE, screen
-
-
-RELEASED = "stopped: no command since the emergency stop was released"
-TASK = {"name": "metre", "title": "One metre", "state": "ready", "text": "Drive, and stop.", "seconds": 0.0,
-        "score": None, "sentences": [], "lost": None}
-
-
-def test_after_a_release_nothing_covers_the_sums_and_who_drives_is_shown_whole_at_200_percent_too(page):
-    for screen in [*TOUCH_SCREENS, SMALL_PHONE, *PROJECTORS, DESKTOP, (1920, 1080)]:
-        page.resize(*screen)
-        for task in None, TASK:
-            page.receive_class(2, status=RELEASED, state="stopped", fake=True, held="stop", waiting=["roam"], task=task)
-            page.wait_for_text("status", "The program waits until a teacher presses Go on")
-            assert page.overlapping() == [], screen
-            assert page.is_whole("driver") and page.is_whole("sentence"), screen
-            assert page.misplaced("to-program") == [], f"the way to the programs on {screen}, with the task {task}"
-        assert page.text("status").count("fake") == 0
 
 
 def test_a_teacher_sees_a_class_on_one_screen_each_status_to_its_end_and_all_robots_on_the_map(page):
@@ -98,11 +61,9 @@ def test_go_on_is_offered_only_where_something_waits(page):
 
 
 def test_on_an_upright_tablet_the_map_keeps_a_third_and_on_small_screens_the_legend_its_words(page):
-    task = {"name": "metre", "title": "One metre", "state": "done", "text": LONG, "seconds": 3.9, "score": 87.3,
-            "sentences": [], "lost": None}
     for width, height in (768, 960), (360, 640), (640, 360), (320, 568):
         page.resize(width, height)
-        page.receive_class(status=LONG, state="stopped", task=task if height > 600 else None)
+        page.receive_class(status=LONG, state="stopped", task=DONE if height > 600 else None)
         page.wait_for(lambda: page.cut("#legend :is(dt, dd)") == [], f"the legend on {width} x {height}")
         if width == 768:
             page.receive({"type": "notice", "text": LONG})
@@ -124,13 +85,6 @@ def test_bars_and_trails_stand_out_by_day_and_by_night(page):
                 page.wait_for(lambda shown=shown: page.shows_on_map(shown), f"the trail in {shown}, {scheme}")
     finally:
         page.media()
-
-
-def test_on_the_map_the_number_suffices_where_names_differ_in_nothing_else(page):
-    for labels, common in {("jetbot_01", "jetbot_12"): "jetbot_", ("jetbot_01",): "", ("jetbot_01", "bot_02"): "",
-                           ("red", "blue"): "", ("1", "2"): "", (): ""}.items():
-        assert page.run("return import('/world.js').then(({World}) => Object.assign(new World(),"
-                        " {robots: arguments[0].map(label => ({label}))}).commonName)", labels) == common, labels
 
 
 def check_screen(page, screen, *parts):

@@ -1,7 +1,6 @@
 """The page for programs drives a real robot, and whatever stops the robot ends the program."""
 
 import functools
-import json
 import signal
 import subprocess
 import time
@@ -14,13 +13,13 @@ from jetbot.fake.motors import STOPPED
 from jetbot_lessons import lessons
 
 from .conftest import OTHER_ROBOT, ROBOT
+from .messages import TASKS
+from .page import DESKTOP, TOUCH_SCREENS
 from .programs import block, chain, drive, let, num, plug, program, set_motion, show, var, wait
 from .test_accessibility import LISTEN
-from .test_page import DESKTOP, TOUCH_SCREENS
 from .test_stop import release
 
 FORWARD = (0.5, 0.5)
-ENDLESS = block("controls_whileUntil", {"MODE": "WHILE"}, BOOL=plug("logic_boolean", {"BOOL": "TRUE"}))
 CHANGE = "Blockly.getMainWorkspace().getBlocksByType('math_number')[0].setFieldValue(2, 'NUM')"
 TABLETS = [(768, 1024), (1024, 768), (1180, 820), (960, 540)]  # px; the last one is a projector's at 200 %
 SMALL = [(320, 568), (844, 390), (640, 340), (400, 300)]
@@ -87,13 +86,30 @@ def test_a_program_reads_its_robots_place_wheels_and_clock(blocks, world):
     assert eye == 1, "there is no line"
 
 
+LATE_STATUS = """const receive = socket.onmessage; socket.onmessage = ({data}) => {
+    const message = JSON.parse(data);
+    for (const robot of Object.values(message.type === 'state' && message.robots))
+        Object.assign(robot, {status: 'driving', state: 'driving', cause: ''});
+    receive({data: JSON.stringify(message)}); }"""
+
+
+def freezes(page, world):
+    try:
+        page.signal(signal.SIGSTOP)
+        world.wait_for_stop(ROBOT, "SIGSTOP of the browser")
+    finally:
+        page.signal(signal.SIGCONT)
+
+
 ENDS = {
-    "Stop": (lambda page: page.click("#end"), "Stopped."),
-    "Escape": (lambda page: page.tap("Escape"), "Stopped."),
-    "STOP of all robots": (lambda page: page.click("#stop"), "All robots were stopped."),
-    "another tab": (lambda page: (page.new_tab(), page.old_tab()), "The page was hidden"),
-    "a change": (lambda page: page.run(CHANGE), "The program was changed."),
-    "another robot": (lambda page: page.choose(OTHER_ROBOT), "Another robot was chosen."),
+    "Stop": (lambda page, _: page.click("#end"), "Stopped."),
+    "Escape": (lambda page, _: page.tap("Escape"), "Stopped."),
+    "STOP of all robots": (lambda page, _: page.click("#stop"), "All robots were stopped."),
+    "a stop from elsewhere": (lambda page, world: (page.run(LATE_STATUS), world.emergency_stop()), "All robots were"),
+    "another tab": (lambda page, _: (page.new_tab(), page.old_tab()), "The page was hidden"),
+    "a page that freezes": (freezes, "This page was interrupted"),
+    "a change": (lambda page, _: page.run(CHANGE), "The program was changed."),
+    "another robot": (lambda page, _: page.choose(OTHER_ROBOT), "Another robot was chosen."),
 }
 
 
@@ -106,62 +122,18 @@ def test_the_program_ends_and_the_robot_stops_at_any_stop_a_change_or_in_the_bac
         run(page, world)
         page.run(LISTEN)
         with world.stops(ROBOT, what=name):
-            act(page)
+            act(page, world)
         page.wait_for(functools.partial(page.run, "return said.join().includes(arguments[0])", sentence), sentence)
 
 
 @undisturbed
-def test_no_program_drives_a_robot_that_somebody_else_drives(blocks, world, victim):
-    page = blocks(program(drive(0.5, 30)))
-    world.drive(victim, ROBOT)
-    page.click("#run")
-    page.wait_for_text("outcome", f"was driving {ROBOT}")
-
-
-LATE_STATUS = """const receive = socket.onmessage; socket.onmessage = ({data}) => {
-    const message = JSON.parse(data);
-    for (const robot of Object.values(message.type === 'state' && message.robots))
-        Object.assign(robot, {status: 'driving', state: 'driving', cause: ''});
-    receive({data: JSON.stringify(message)}); }"""
-
-
-@undisturbed
-def test_an_emergency_stop_from_elsewhere_ends_the_program_whatever_the_robot_still_says(blocks, world):
-    page = blocks(program(drive(0.5, 30)))
-    page.run(LATE_STATUS)
-    run(page, world)
-    try:
-        with world.stops(ROBOT, what="an emergency stop"):
-            world.emergency_stop()
-        page.wait_for_text("outcome", "emergency stop")
-    finally:
-        release(page)
-    world.stay_stopped(ROBOT)
-
-
-@undisturbed
-def test_a_page_that_freezes_stops_the_robot_and_its_program_does_not_go_on(blocks, world):
-    page = blocks(program(block("controls_repeat_ext", TIMES=num(99), DO=chain(drive(0.5, 0.5), block("robot_stop")))))
-    run(page, world)
-    try:
-        with world.stops(ROBOT, what="SIGSTOP of the browser"):
-            page.signal(signal.SIGSTOP)
-    finally:
-        page.signal(signal.SIGCONT)
-    page.wait_for_text("outcome", "This page was interrupted")
-    world.stay_stopped(ROBOT, for_seconds=0.6)
-
-
-@undisturbed
-def test_pause_step_and_slow(blocks, world):
+def test_pause_and_step(blocks, world):
     page = blocks(program(drive(0.5, 0.6), let("x", num(3)), drive(-0.5, 30), variables="x"))
     page.click("#step")
     page.wait_for_text("outcome", "Paused")
-    assert page.text_of("#python .now") == "drive(0.5, 0, 0.6)"
-    world.stay_stopped(ROBOT)
+    assert page.text_of("#python .now") == "drive(0.5, 0, 0.6)" and page.has(".robot_drive.blocklyHighlighted")
     run(page, world, button="step")
-    page.wait_for_text("outcome", "Paused")
-    assert page.text_of("#python .now") == "x = 3"
+    page.wait_for(lambda: page.text_of("#python .now") == "x = 3", "the end of the step")
     world.wait_for_stop(ROBOT, "a step")
     page.click("#step")
     page.wait_for_text("variables", "3")
@@ -169,27 +141,8 @@ def test_pause_step_and_slow(blocks, world):
     assert page.has("#bar .language:disabled"), "another language would load the page again"
     page.click("#pause")
     world.wait_for_stop(ROBOT, "Pause")
-    run(page, world, (-0.5, -0.5), "pause")
     page.click("#end")
     page.wait_for(lambda: page.has("#bar .language:enabled"), "languages to choose from")
-    page.set("speed", "0")
-    start = time.time()
-    run(page, world)
-    page.set("speed", "3")
-    assert time.time() - start > 0.9, "a slow program waits for a second before each block"
-
-
-@undisturbed
-def test_a_loop_without_a_wait_drives_for_a_second_and_leaves_the_page_alive(blocks, world):
-    page = blocks(program(drive(0.5, 0.1), set_motion(0.5, 0), wait(0.1),
-                          {**ENDLESS, "inputs": {**ENDLESS["inputs"], "DO": chain(
-                              *[block("math_change", {"VAR": {"id": "x"}}, DELTA=num(1))] * 20)}}, variables="x"))
-    run(page, world)
-    world.wait_for(lambda: world.wheels(ROBOT) == STOPPED, 3.0, "the command to be too old")
-    page.wait_for_text("outcome", "A loop runs without a wait")
-    assert page.has(".controls_whileUntil.blocklyHighlighted")
-    page.click("#end")
-    page.wait_for_text("outcome", "Stopped.")
 
 
 @undisturbed
@@ -203,42 +156,11 @@ def test_a_program_that_asks_for_too_much_or_for_nothing_says_so_at_its_end_and_
         assert page.has(f".robot_{marked} > .blocklyPassiveFocus")
 
 
-@undisturbed
-def test_waits_too_short_to_send_each_command_drive_on(blocks, world):
-    run(blocks(program(block("controls_whileUntil", {"MODE": "WHILE"}, BOOL=plug("logic_boolean", {"BOOL": "TRUE"}),
-                             DO=chain(set_motion(0.5, 0), wait(0.01))))), world)
-    world.stay(lambda *wheels: wheels != STOPPED, ROBOT, for_seconds=0.6)
-
-
-def nested(depth):
-    value = num(1)
-    for _ in range(depth):
-        value = plug("math_single", {"OP": "NEG"}, NUM=value)
-    return program(show(value))
-
-
-FORGED = {  # of those that check.js refuses, one each of its ways
-    "no program": "hello", "markup as a type": program(block("<img src=x onerror=alert(1)>")),
-    "10 MB": " " * 10_000_000 + json.dumps(program()),
-    "what Blockly refuses": program({**block("math_number_property"), "extraState": 5}),
-}
-
-
-def test_what_could_not_be_opened_again_is_not_called_kept(blocks):
-    page = blocks(program())
-    page.run("Blockly.serialization.workspaces.load(JSON.parse(arguments[0]), Blockly.getMainWorkspace())",
-             json.dumps(nested(70)))
-    page.wait_for_text("kept", "nests more than 60 blocks")
-
-
-def test_a_forged_program_is_refused_in_a_sentence(blocks):
+def test_a_forged_program_is_refused_in_a_sentence_and_the_one_before_stays(blocks):
     page = blocks(program(show(num(5))))
-    page.wait_for_text("python", "print(5)")
-    for name, content in FORGED.items():
-        page.run("document.getElementById('notice').textContent = ''")
-        blocks(content)
-        page.wait_for(lambda: page.text("notice").endswith("."), f"a sentence for {name}")
-        assert page.run("return Blockly.getMainWorkspace().getAllBlocks().length") == 3, "the one before is still there"
+    blocks(program({**block("math_number_property"), "extraState": 5}))
+    page.wait_for(lambda: page.text("notice").endswith("."), "a sentence")
+    assert page.run("return Blockly.getMainWorkspace().getAllBlocks().length") == 3
 
 
 @undisturbed
@@ -254,13 +176,11 @@ def test_markup_and_ends_of_lines_in_names_stay_names(blocks):
 
 
 @undisturbed
-def test_a_thousand_blocks_load_in_two_seconds(blocks):
+def test_a_thousand_blocks_load_and_are_kept(blocks):
     page = blocks(program())
     page.wait_for(lambda: "drive(" not in page.text("python"), "an empty program")
     blocks(program(*[block("controls_repeat_ext", TIMES=num(1), DO=chain(*[drive(0.5, 1)] * 32))] * 10))
-    start = time.time()
     page.wait_for(lambda: page.text("python").count("drive(0.5, 0, 1)") == 320, "the Python of all blocks")
-    assert time.time() - start < 2.0 + 3.0  # a busy computer
     page.type("title", "Large")
     page.wait_for(lambda: page.text("kept") == "Kept", "it to be kept")
 
@@ -270,7 +190,7 @@ NUMBER = ".blocklySvg .math_number .blocklyFieldRect"
 NUMBER_BOXES = {"showEditor": "blocklyHtmlInput", "showPromptEditor": "blocklyDialogInput"}  # a computer's, Android's
 
 
-def test_a_number_may_have_a_decimal_comma(blocks):
+def test_a_number_may_have_a_decimal_comma_and_is_large_enough_for_a_finger(blocks):
     for editor, field in NUMBER_BOXES.items():
         page = blocks(program(drive(0.5, 1)))
         page.wait_for_text("python", "drive(0.5, 0, 1)")
@@ -279,17 +199,12 @@ def test_a_number_may_have_a_decimal_comma(blocks):
                      f"document.querySelector('.{field}').select()")
             box = page.driver.switch_to.active_element
             assert box.get_attribute("inputmode") == "decimal" and box.size["height"] >= FINGER
+            if editor == "showEditor":
+                assert page.place_of(f".{field}") == pytest.approx(page.place_of(NUMBER), abs=2), "it opens elsewhere"
             box.send_keys(f"{typed}\n")
             page.wait_for_text("python", f"drive({x}, 0, 1)")
-
-
-def test_a_number_is_large_enough_for_a_finger_and_its_box_opens_over_it(blocks):
-    page = blocks(program(drive(0.5, 1)))
-    page.wait_for_text("python", "drive(0.5, 0, 1)")
-    size = page.driver.find_element("css selector", NUMBER).rect
-    assert size["width"] >= 32 and size["height"] >= 32
-    page.run("Blockly.getMainWorkspace().getBlocksByType('math_number')[0].getField('NUM').showEditor()")
-    assert page.place_of(".blocklyHtmlInput") == pytest.approx(page.place_of(NUMBER), abs=2)
+    size = page.driver.find_element("css selector", NUMBER).size
+    assert min(size.values()) >= 32, "a finger does not hit it"
 
 
 def test_the_map_shows_the_trail_of_the_run_alone(blocks):
@@ -368,23 +283,6 @@ def drives_as_its_node(page, world, folder):
     assert float(page.text("prints")) == pytest.approx(float(node.log.read_text()), abs=10)
 
 
-@undisturbed
-def test_a_robot_in_si_units_has_them_on_its_blocks_and_in_its_python(blocks):
-    page = blocks(program(set_motion(0.3, 0), wait(0.5), block("robot_wheels", LEFT=num(0.5), RIGHT=num(0.5)), wait(9)))
-    page.wait_for(lambda: "power" in page.text("blocks"), "the workshop's units")
-    page.receive({"type": "robots", "robots": [{
-        "id": f"/{ROBOT}", "label": ROBOT, "color": "#808080", "workshop": False, "wheel_separation": 0.1125,
-        "max_speed": 0.6, "simulated": True}]})
-    page.wait_for(lambda: "m/s" in page.text("blocks"), "SI units")
-    assert "(right - left) / 0.1125 * 0.6" in page.text("python")
-    start = time.time()
-    page.click("#run")
-    page.wait_for_text("outcome", "Running")
-    page.wait_for(lambda: len([command for command in page.sent() if command.time > start and command.forward]) > 15,
-                  "commands")
-    assert {command.forward for command in page.sent() if command.time > start and command.forward} == {0.5}
-
-
 IN_SIGHT = """const { top, bottom } = document.getElementById("python").getBoundingClientRect();
     return [...document.querySelectorAll("#python div")].filter((line) => {
         const box = line.getBoundingClientRect();
@@ -410,7 +308,9 @@ def test_the_python_is_shown_from_the_pupils_own_part_on_unless_the_pupil_has_sc
     assert in_sight()[0].startswith("#!")
 
 
-TASKS = {"type": "tasks", "tasks": [{"name": "metre", "title": "One metre, and back again", "on": True}]}
+MANY_PRINTS = """const prints = document.getElementById("prints");
+    for (let count = 0; count < 30; count += 1) prints.append(document.createElement("li"), `line ${count}`);
+    document.getElementById("output").scrollTop = 9999;"""
 PLACES = """return ["There is a newer version of this program. ".repeat(2), "Not kept yet", ""].map((text) => {
     document.getElementById("kept").textContent = text;
     document.getElementById("newer").hidden = !text;
@@ -418,30 +318,13 @@ PLACES = """return ["There is a newer version of this program. ".repeat(2), "Not
 });"""
 
 
-MANY_PRINTS = """const prints = document.getElementById("prints");
-    for (let count = 0; count < 30; count += 1) prints.append(document.createElement("li"), `line ${count}`);
-    document.getElementById("output").scrollTop = 9999;"""
-
-
-def test_the_page_fits_tablets_and_phones_and_what_is_said_of_keeping_moves_nothing(blocks):
+def test_what_is_said_of_keeping_moves_nothing_and_the_outcome_stays_beside_what_is_printed(blocks):
     page = blocks(program(drive(0.5, 1)))
     page.run(MANY_PRINTS)
     for screen in TABLETS:
         page.resize(*screen)
-        page.wait_for(lambda: page.fits("run", "pause", "step", "end", "stop", "release", "robot", "status", "python",
-                                        "output"), f"all on {screen}")
-        assert page.overlapping() == [], screen
-        assert not page.text("small")
-        assert len(set(page.run(PLACES))) == 1
-        assert not page.outside("#outcome", "#output"), "it scrolls away with what is printed"
-    page.receive(TASKS)
-    page.resize(1024, 768)
-    assert page.run("return document.getElementById('running').clientHeight") < 60, "all in one row"
-    page.resize(390, 844)
-    page.wait_for(lambda: page.fits("run", "end", "stop", "blocks", "output"), "a phone")
-    assert page.overlapping() == []
-    assert "tablet" in page.text("small")
-    assert not page.outside("#outcome", "#output"), "it scrolls away with what is printed"
+        assert len(set(page.run(PLACES))) == 1, screen
+        page.wait_for(lambda: not page.outside("#outcome", "#output"), f"the outcome on {screen}")
 
 
 JUDGED = """scrollTo(0, 0);
@@ -466,7 +349,6 @@ def test_why_a_program_has_ended_and_its_score_are_in_sight_on_each_screen(block
 
 def test_on_a_small_or_magnified_screen_all_of_the_page_is_reached_and_stop_stays(blocks):
     page = blocks(program(drive(0.5, 1)))
-    page.receive(TASKS)
     for screen in SMALL:
         page.resize(*screen)
         page.receive({"type": "notice", "text": "Somebody else drives the robot. " * 3})

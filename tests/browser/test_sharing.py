@@ -9,6 +9,7 @@ from harness import START_TIMEOUT
 from jetbot.fake.motors import STOPPED
 
 from .conftest import OTHER_ROBOT, ROBOT
+from .messages import codes_of
 
 NAME = "<b>Eve</b> & Ömer +1"
 
@@ -121,14 +122,6 @@ def test_what_a_teacher_takes_waits_though_the_teachers_page_is_closed_and_every
 def test_a_pupil_has_neither_fleet_nor_codes_nor_others_robots(pupil):
     for name in "fleet", "show-fleet", "show-codes", "take", "go-on", "reset":
         assert not pupil.element(name).is_displayed(), name
-
-
-def codes_of(robots):
-    """Return the message with the codes of a class."""
-    names = [f"jetbot_{number:02d}" for number in range(1, robots + 1)]
-    return {"type": "codes", "codes": [
-        {"label": name, "role": "pupil", "robot": f"/{name}", "code": "7KQ2MX", "rows": ["10" * 16 + "1"] * 33,
-         "url": "http://192.168.100.200:8080/#7KQ2MX"} for name in names]}
 
 
 def test_codes_are_shown_when_asked_for_and_15_fit_on_a_sheet_of_paper_with_a_line_for_each_name(page, world):

@@ -5,9 +5,7 @@ import json
 import pytest
 
 from .conftest import ROBOT
-from .test_page import DESKTOP, TOUCH_SCREENS, check_screen
 
-PARTS = "pad", "stop", "release", "status", "task", "map", "right-formula"
 COURSE_COLOR = "#c4a3ff"  # of the goal, in the dark
 COURSE = """markers:
 - {action: 3}
@@ -52,16 +50,6 @@ def test_a_task_is_shown_and_gone_when_its_judge_is_killed(page, judge):
     judge.kill()
     page.wait_for(lambda: not (shows_goal(page) or page.text("task")), "the goal and the task to vanish")
     page.media()
-
-
-def test_a_long_task_leaves_room_on_every_screen(page, pupil, judge, world):
-    world.drive(page, ROBOT)  # the wheels' formula takes its room
-    page.lift()
-    judge("done", "a loss that nobody has ever shortened, " * 7)
-    for each in page, pupil:
-        each.wait_for_text("task", "nobody has ever shortened")
-        for screen in [*TOUCH_SCREENS, DESKTOP]:
-            check_screen(each, screen, *PARTS)
 
 
 def test_a_score_stays_without_its_judge_until_the_robot_is_put_back(page, pupil, judge, world):

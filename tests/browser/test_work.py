@@ -1,6 +1,5 @@
 """Programs that the cockpit keeps, on several pages; and Judge me, from the pupil's press to the score."""
 
-import json
 import signal
 from contextlib import contextmanager
 
@@ -10,7 +9,7 @@ from harness import program
 
 from . import programs
 from .conftest import ROBOT
-from .programs import as_file, block, chain, num, plug, set_motion, show
+from .programs import as_file, block, chain, num, plug, set_motion
 from .world import moving
 
 NOT_COUNTED = "The drive does not count"  # what is said, too, if the page pauses
@@ -94,92 +93,6 @@ def test_of_two_pages_on_one_program_the_older_one_is_told_and_nothing_is_lost(p
     assert pupil.value("title") == "Mine too"
 
 
-ALL_BLOCKS = """
-const workspace = Blockly.getMainWorkspace(), toolbox = workspace.getToolbox();
-const categories = toolbox.getToolboxItems();
-workspace.getVariableMap().createVariable("n");
-for (const category of [...categories, ...categories]) { // a function can be called once it is there
-  toolbox.setSelectedItem(category);
-  for (const each of workspace.getFlyout().getWorkspace().getTopBlocks()) {
-    Blockly.serialization.blocks.append(Blockly.serialization.blocks.save(each), workspace);
-  }
-}
-toolbox.clearSelection();
-"""
-SAVED = """const create = URL.createObjectURL, answer = arguments[0];
-URL.createObjectURL = (blob) => {
-  URL.createObjectURL = create;
-  blob.text().then(answer);
-  return create(blob);
-};
-document.getElementById("save").click();"""
-
-
-def test_every_block_of_the_toolbox_is_kept_and_opened_again_as_it_was(page):
-    page.click("#programs")
-    page.click("#new")
-    page.run(ALL_BLOCKS)
-    rename(page, "All blocks")
-    saved = page.driver.execute_async_script(SAVED)
-    assert {"math_number_property", "procedures_ifreturn", "procedures_callreturn", "math_change", "robot_print"} <= {
-        each["type"] for each in json.loads(saved)["blocks"]["blocks"]}
-    page.driver.refresh()
-    page.wait_for(lambda: page.value("title") == "All blocks", "all blocks")
-    page.wait_for_link()
-    assert page.driver.execute_async_script(SAVED) == saved
-    assert page.text("kept") == "", "what is only opened is no change"
-
-
-DEEPER = """const workspace = Blockly.getMainWorkspace(), innermost = workspace.getBlocksByType("logic_negate").at(-1);
-Blockly.Events.setGroup(true);
-const more = Blockly.serialization.blocks.append({type: "logic_negate"}, workspace, {recordUndo: true});
-innermost.getInput("BOOL").connection.connect(more.outputConnection);
-Blockly.Events.setGroup(false);"""
-
-
-def test_a_block_that_nests_too_deep_is_taken_back_so_that_the_program_can_be_opened_again(page, tmp_path):
-    deep = {"block": {"type": "logic_negate"}}
-    for _ in range(59):
-        deep = plug("logic_negate", BOOL=deep)
-    page.element("file").send_keys(as_file(tmp_path, programs.program(show(deep))))
-    page.wait_for(lambda: page.run("return Blockly.getMainWorkspace().getAllBlocks().length") == 62, "the program")
-    saved = page.driver.execute_async_script(SAVED)
-    page.run(DEEPER)
-    page.wait_for_text("notice", "nests more than 60 blocks in each other. It was undone.")
-    assert page.driver.execute_async_script(SAVED) == saved
-
-
-YES = plug("logic_boolean", {"BOOL": "TRUE"})
-RETURNS = programs.program(
-    show(plug("math_number_property", {"PROPERTY": "DIVISIBLE_BY"}, NUMBER_TO_CHECK=num(8), DIVISOR=num(3))),
-    functions=({**block("procedures_defreturn", {"NAME": "answer"},
-                        STACK=chain(block("procedures_ifreturn", CONDITION=YES, VALUE=num(5)))), "y": 200},
-               {**block("procedures_defnoreturn", {"NAME": "pass on"},
-                        STACK=chain(block("procedures_ifreturn", CONDITION=YES))), "y": 400}))
-
-
-def test_what_is_divisible_and_what_returns_is_the_same_when_it_is_opened_again(page, tmp_path):
-    page.element("file").send_keys(as_file(tmp_path, RETURNS))
-    page.wait_for_text("python", "8 % 3 == 0")
-    rename(page, "Returns")
-    python = page.text("python")
-    assert "return 5" in python and "return\n" in python
-    page.driver.refresh()
-    page.wait_for(lambda: page.text("python") == python, python)
-
-
-@pytest.mark.parametrize("button, sheet, first", [
-    ("programs", "work", "new"), ("overview-button", "overview", "download-all")])
-def test_a_sheet_takes_the_keyboards_focus_and_gives_it_back(button, sheet, first, page):
-    page.tab_to(button)
-    page.tap("Enter")
-    page.wait_for(lambda: page.run("return document.activeElement.id") == sheet, "the focus in the sheet")
-    assert page.tab() == first and page.element(sheet).accessible_name
-    page.tap("Escape")
-    assert not page.element(sheet).is_displayed()
-    assert page.run("return document.activeElement.id") == button
-
-
 def test_a_teacher_is_told_why_no_programs_are_listed(page):
     page.run("window.fetch = async () => { throw new TypeError('no network'); }")
     page.click("#overview-button")
@@ -247,13 +160,6 @@ def test_judge_me_puts_the_robot_at_its_start_runs_the_program_and_shows_the_sco
     pupil.wait_for_text("outcome", "The judge has seen enough.")
     world.wait_for_stop(ROBOT)
     world.kill(process)
-
-
-def test_who_comes_back_in_a_new_browser_goes_on_with_the_newest_program(page, pupil, world):
-    rename(page, "Newest")
-    pupil.run("localStorage.clear()")
-    open_programs(pupil, pupil.driver.current_url)
-    pupil.wait_for(lambda: pupil.value("title") == "Newest", "the newest program")
 
 
 def test_what_is_saved_arrives_from_a_computer_without_https(page, world):

@@ -12,7 +12,7 @@ from typing import Dict, List, NamedTuple, Optional, Tuple
 
 from jetbot.fake.motors import STOPPED, Motors
 
-POLL_INTERVAL = 0.002  # s
+POLL_INTERVAL = 0.005  # s
 WRITING = 0.03  # s from one wheel's write to the other's, much less than between two commands
 PAUSE = 0.1  # s; a thread that was not scheduled for so long shows that the computer is too busy
 LOOK_INTERVAL = 0.1  # s between two looks at the watched process
