@@ -11,10 +11,8 @@ from .chromium import KEYS, Chromium
 from .cockpit_page import CockpitPage
 from .messages import numbered, robot_named
 from .programs import as_file
+from .screens import PHONE
 
-PHONE, DESKTOP = (390, 844), (1280, 800)  # px
-TOUCH_SCREENS = [(360, 640), (390, 844), (844, 390), (820, 1180), (1180, 820)]  # px
-FINGER, MOUSE = 44, 24  # px that each control has at least
 LOOKS = Path(__file__).with_name("looks.js").read_text()
 # Cuts the page off from its cockpit: from then on it gets only what a test lets it receive, and pongs.
 ALONE = """const receive = socket.onmessage; socket.onmessage = (event) =>

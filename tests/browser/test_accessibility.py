@@ -3,7 +3,7 @@
 from .accessibility import tree, violations
 from .conftest import OTHER_ROBOT, ROBOT
 from .messages import BEN, BEST, TASK, codes_of, robot_named
-from .page import DESKTOP
+from .screens import DESKTOP
 from .test_access import split
 from .test_stop import release
 

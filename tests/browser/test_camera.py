@@ -3,7 +3,8 @@
 import pytest
 
 from .conftest import OTHER_ROBOT, ROBOT
-from .test_page import DESKTOP, TOUCH_SCREENS, check_screen
+from .screens import DESKTOP, TOUCH_SCREENS
+from .test_page import check_screen
 
 BLIND = "jetbot_09"  # without a camera
 PICTURE = """const camera = document.getElementById('camera');

@@ -13,7 +13,7 @@ from harness import START_TIMEOUT
 from .accessibility import violations
 from .conftest import OTHER_ROBOT, ROBOT, TABLET
 from .programs import block, chain, drive, num, plug, program, set_motion, wait
-from .test_page import DESKTOP, FINGER, TOUCH_SCREENS
+from .screens import DESKTOP, FINGER, TOUCH_SCREENS
 
 ODOM = "x (m)", "y (m)", "yaw (rad)", "speed (m/s)", "turn rate (rad/s)"
 WHEELS = "command x", "command z", "left wheel (power)", "right wheel (power)"

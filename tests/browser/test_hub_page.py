@@ -10,9 +10,9 @@ from jetbot.wait import wait_until
 
 from .conftest import need
 from .messages import codes_of, numbered, receive_fleet
-from .page import DESKTOP
 from .programs import as_file, drive, program
 from .real_class import RealClass
+from .screens import DESKTOP
 from .test_accessibility import LISTEN
 
 ONE, OTHER, THIRD = ROBOTS = "jetbot_01", "jetbot_02", "jetbot_03"

@@ -4,7 +4,7 @@ from jetbot.wait import wait_until
 
 from .conftest import OTHER_ROBOT, ROBOT
 from .messages import DONE, LONG
-from .page import DESKTOP, FINGER, MOUSE, TOUCH_SCREENS
+from .screens import DESKTOP, FINGER, MOUSE, TOUCH_SCREENS
 from .test_driving import hold
 
 SMALL_PHONE = (320, 568)  # px

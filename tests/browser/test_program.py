@@ -14,8 +14,8 @@ from jetbot_lessons import lessons
 
 from .conftest import OTHER_ROBOT, ROBOT
 from .messages import TASKS
-from .page import DESKTOP, TOUCH_SCREENS
 from .programs import block, chain, drive, let, num, plug, program, set_motion, show, var, wait
+from .screens import DESKTOP, TOUCH_SCREENS
 from .test_accessibility import LISTEN
 from .test_stop import release
 

@@ -8,7 +8,7 @@ from .cockpit_page import PAGE_TIMEOUT
 from .conftest import ROBOT, TABLET
 from .engine import KEYS
 from .programs import drive, program
-from .test_page import DESKTOP
+from .screens import DESKTOP
 from .test_program import FORWARD, SMALL, TABLETS, close, undisturbed
 from .test_work import edit, rename
 

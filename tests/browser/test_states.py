@@ -14,9 +14,9 @@ from . import pseudo_language
 from .accessibility import violations
 from .conftest import ROBOT
 from .messages import BEN, BEST, DONE, LONG, TASKS, codes_of, receive_fleet
-from .page import DESKTOP, FINGER, MOUSE
 from .programs import block, calculate, drive, num, plug, program, show, wait
 from .pseudo_language import KNOWN
+from .screens import DESKTOP, FINGER, MOUSE
 from .test_python_page import suggested, type_at_end
 from .test_work import edit
 

@@ -15,6 +15,11 @@ INCLUDE = '<include file="$(find jetbot_control_node)/launch/jetbot_controller.l
 @pytest.fixture(name="mine")
 def made_package(tmp_path, monkeypatch):
     """The folder of a package with nothing missing."""
+    return make_package(tmp_path, monkeypatch)
+
+
+def make_package(tmp_path, monkeypatch):
+    """Make a package with nothing missing in this folder, and return its own."""
     monkeypatch.setattr(packages, "__file__", str(tmp_path / "src/jetbot_lessons/src/jetbot_lessons/packages.py"))
     (tmp_path / "src/jetbot_lessons").mkdir(parents=True)
     (tmp_path / "src/jetbot_lessons/package.xml").write_text(PACKAGE_XML.replace("mine", "jetbot_lessons"))
