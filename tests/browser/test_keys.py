@@ -36,7 +36,9 @@ def test_keys_alone_attach_a_block_to_the_start_change_its_number_and_run_it(blo
     wait_for_spoken(page, "when the program starts")
     page.tap("t", "ArrowRight", "ArrowDown", "ArrowDown")
     wait_for_spoken(page, "drive straight at x, 0.5, power")
-    page.tap("Enter", "Enter")  # takes it, puts it below the block that was looked at
+    page.tap("Enter")  # takes it
+    page.wait_for(lambda: "Moving drive straight" in page.text_of("body"), "the block below the one that was looked at")
+    page.tap("Enter")  # puts it there
     page.wait_for_text("python", "drive(0.5, 0, 1)")
     page.tap("ArrowRight", "ArrowRight")
     wait_for_spoken(page, "Edit x in power: 0.5")
