@@ -271,8 +271,9 @@ def test_a_package_is_accepted_by_the_lessons_and_drives_the_same(blocks, world,
 
 
 def drives_as_its_node(page, world, folder):
+    world.wait_until_free(OTHER_ROBOT)
     begin = time.time()
-    node = world.start(str(folder / "scripts/program.py"), f"__ns:=/{OTHER_ROBOT}")  # no page drives it before
+    node = world.start(str(folder / "scripts/program.py"), f"__ns:=/{OTHER_ROBOT}")
     assert node.wait(START_TIMEOUT) == 0
     world.wait_for_stop(OTHER_ROBOT)
     by_node, begin = world.record.driven(OTHER_ROBOT, begin), time.time()

@@ -14,7 +14,6 @@ from lesson_pages import boxes
 
 from harness import START_TIMEOUT
 from harness import program as installed
-from jetbot_ros.state import MANUAL_PRIORITY
 from processes import end
 
 from .conftest import ROBOT, some
@@ -63,16 +62,6 @@ class Track(World):
         self.poses = self.start("rostopic", "echo", "-p", GROUND_TRUTH)  # of the simulator, too
         self.wait_for(self.place, START_TIMEOUT, "the robot's place")
 
-    def wait_until_free(self) -> None:
-        """Wait until a node's commands count: some time after the cockpit's last one."""
-        used = [time.time()]
-
-        def free():
-            if self.publishers(ROBOT):
-                used[0] = time.time()
-            return time.time() - used[0] > MANUAL_PRIORITY
-        self.wait_for(free, LONGEST, "the cockpit to let go")
-
     def place(self) -> Optional[Tuple[float, float, float]]:
         """Return where the robot stands; None as long as it moves."""
         *lines, _ = self.poses.log.read_text().split("\n")
@@ -118,7 +107,7 @@ def world(tmp_path_factory):
 def by_rosrun(world, name, file):
     """Drive as rosrun does, which starts the file with Python."""
     world.put_back()
-    world.wait_until_free()
+    world.wait_until_free(ROBOT)
     start = time.time()
     process = world.start(sys.executable, str(file), f"__ns:=/{ROBOT}")
     if name in ENDLESS:

@@ -16,6 +16,7 @@ import rosgraph
 from harness import CONTROLLER, START_TIMEOUT, program
 from jetbot.fake.motors import STOPPED
 from jetbot.wait import wait_until
+from jetbot_ros.state import MANUAL_PRIORITY
 from processes import end, free_port, start
 
 from .wheels import Speeds, WheelRecord
@@ -94,6 +95,16 @@ class World:
         """Fail unless the condition becomes true within this many seconds; what: its description."""
         assert wait_until(condition, within), f"waited {within} s for {what}; wheels " \
             f"{[self.wheels(robot) for robot in self.robots]}{self._logs()}"
+
+    def wait_until_free(self, robot: str) -> None:
+        """Wait until a node's commands count: some time after the cockpit's last one."""
+        used = [time.time()]
+
+        def free():
+            if self.publishers(robot):
+                used[0] = time.time()
+            return time.time() - used[0] > MANUAL_PRIORITY
+        self.wait_for(free, START_TIMEOUT, "the cockpit to let go")
 
     def is_seen(self, robot: str) -> bool:
         """Return whether somebody looks through a robot's camera."""
