@@ -1,6 +1,7 @@
 """The cockpit's page in a browser of any engine: what it shows, what it sends, and its pad."""
 
 import json
+import re
 from abc import ABC, abstractmethod
 from typing import Callable, Dict, List, NamedTuple, Tuple
 
@@ -10,7 +11,7 @@ from jetbot.wait import wait_until
 
 from .world import LONGEST_GAP, TRIES
 
-INTERRUPTED = "was interrupted, so the robot stopped."  # the page, or the cockpit, by a busy computer
+STARVED = re.compile("was interrupted, so the robot stopped|did not get ready in time")  # by a busy computer
 PAGE_TIMEOUT = 20.0  # s for what a page shows; other tests may run meanwhile
 # Keeps the socket, and for other pages of this origin the newest commands that the page sends, and when it paused.
 KEEP_SENT = f"""if (location.protocol === "http:") {{ let turn = performance.now();
@@ -55,6 +56,10 @@ class CockpitPage(ABC):
         """Return what the console has logged since the last call: errors and warnings, violations of the CSP too."""
 
     @abstractmethod
+    def click(self, selector: str) -> None:
+        """Click on an element, as soon as it is shown."""
+
+    @abstractmethod
     def touch_event(self, kind: str, *points: Tuple[float, float]) -> None:
         """Send touchStart, touchMove or touchEnd, with the fingers that touch at these (x, y) in px."""
 
@@ -95,20 +100,25 @@ class CockpitPage(ABC):
             f"waited {within} s for {what}; the page shows {self.text_of('body')!r}, its console {self.errors()}"
 
     def wait_for_text(self, name: str, text: str) -> None:
-        """Fail unless the element with this id soon shows this text.
-
-        A program whose page or cockpit is interrupted by a busy computer meanwhile is run again.
-        """
+        """Fail unless the element with this id soon shows this text; run a program again that was starved meanwhile."""
         tries = iter(range(TRIES))
 
         def is_shown():
-            shown = self.text(name)
-            if text.lower() in shown.lower():
+            if text.lower() in self.text(name).lower():
                 return True
-            if name == "outcome" and INTERRUPTED in shown and next(tries, None) is not None:
+            if name in ("outcome", "prints") and self.is_starved() and next(tries, None) is not None:
                 self.run("document.getElementById('run').click()")
             return False
         self.wait_for(is_shown, f"{text!r} in #{name}")
+
+    def start_program(self, button: str = "run") -> None:
+        """Press Run, or Step, and wait until the program has begun: Python may have to be loaded first."""
+        self.click(f"#{button}")
+        self.wait_for(lambda: self.text("outcome") != self.say("Starting"), "the program to begin")
+
+    def is_starved(self) -> bool:
+        """Return whether the page's program has ended because the computer is too busy for it."""
+        return bool(STARVED.search(self.text("outcome")))
 
     def say(self, english: str) -> str:
         """Return a sentence of the page in the page's language."""

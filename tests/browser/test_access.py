@@ -82,4 +82,4 @@ def test_codes_that_change_cost_no_work_and_no_reload_whatever_is_open(pupil, wo
         assert not pupil.run("return Blockly.WidgetDiv.isVisible()") and not pupil.element("work").is_displayed(), name
     assert pupil.value("title") == f"Work beside {name}"
     pupil.wait_for(lambda: pupil.text("kept") == "Kept", "the work to be kept")
-    world.hold(pupil, lambda: pupil.click("#run"), lambda: pupil.click("#end"), ROBOT)
+    world.run(pupil, ROBOT)

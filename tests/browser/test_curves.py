@@ -160,7 +160,7 @@ def test_two_drives_are_above_each_other_and_pause_holds_the_picture(blocks, wor
     page = blocks(program(drive(0.5, 0.6)))
     show_curves(page)
     run(page, world)
-    world.hold(page, lambda: page.click("#run"), lambda: page.click("#end"), ROBOT)
+    world.run(page, ROBOT)
     page.wait_for(lambda: "Speed: 0.0" not in values(page), "its speed")
     page.click("#curves-pause")
     page.wait_for_text("curves-pause", "Go on")

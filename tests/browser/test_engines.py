@@ -172,7 +172,7 @@ def test_a_program_drives_until_stop_or_until_its_page_is_hidden(programs, world
 
 def drives_until_each_end(programs, world, line):
     def drives_until(sentence, end_it):
-        world.hold(programs, lambda: programs.click("#run"), lambda: programs.click("#end"), ROBOT)
+        world.run(programs, ROBOT)
         programs.wait_for(lambda: programs.has(line), "the line that runs")
         with world.stops(ROBOT, what=sentence):
             end_it(programs)

@@ -45,7 +45,7 @@ def undisturbed(test):
 
 def run(page, world, speeds=FORWARD, button="run"):
     """Run the program until the wheels turn at these speeds, as far as the chip's steps can tell."""
-    world.hold(page, lambda: page.click(f"#{button}"), lambda: page.click("#end"), ROBOT,
+    world.hold(page, lambda: page.start_program(button), lambda: page.click("#end"), ROBOT,
                lambda *wheels: close(wheels, speeds))
 
 

@@ -4,7 +4,6 @@ import subprocess
 from contextlib import contextmanager
 from functools import partial
 
-from .cockpit_page import PAGE_TIMEOUT
 from .conftest import ROBOT, TABLET
 from .engine import KEYS
 from .programs import drive, program
@@ -79,9 +78,8 @@ def marked(page, kind):
 
 
 def drives(page, world, speeds=FORWARD):
-    """Run the text, which may have to load Python first, until the wheels turn at these speeds."""
-    page.click("#run")
-    world.wait_for(lambda: close(world.wheels(ROBOT), speeds), PAGE_TIMEOUT, f"the wheels to turn at {speeds}")
+    """Run the text until the wheels turn at these speeds."""
+    world.run(page, ROBOT, lambda *wheels: close(wheels, speeds))
 
 
 def is_marked(page, kind, line):

@@ -68,7 +68,7 @@ def test_stop_ends_a_text_whatever_it_does_and_the_next_one_runs(blocks, world, 
 
     def stop():
         page.run(WATCH)
-        world.hold(page, lambda: page.click("#run"), lambda: page.click("#end"), ROBOT)
+        world.run(page, ROBOT)
         with world.stops(ROBOT, what=f"Stop during {busy}"):
             page.click("#end")
         page.wait_for_text("outcome", "Stopped.")
@@ -84,7 +84,7 @@ def test_stop_ends_a_text_whatever_it_does_and_the_next_one_runs(blocks, world, 
                                       "a long calculation"))
 def test_pause_stops_a_text_whatever_it_does_and_step_goes_on(blocks, world, busy):
     page = blocks({**program(), "python": DRIVE + BUSY[busy]})
-    world.hold(page, lambda: page.click("#run"), lambda: page.click("#end"), ROBOT)
+    world.run(page, ROBOT)
     with world.stops(ROBOT, what=f"Pause during {busy}"):
         page.click("#pause")
     page.click("#step")
@@ -94,7 +94,7 @@ def test_pause_stops_a_text_whatever_it_does_and_step_goes_on(blocks, world, bus
 
 def test_a_text_that_computes_stops_its_robot_after_a_second_and_says_so(blocks, world):
     page = blocks({**program(), "python": DRIVE + BUSY["a long search"]})
-    world.hold(page, lambda: page.click("#run"), lambda: page.click("#end"), ROBOT)
+    world.run(page, ROBOT)
     page.wait_for_text("outcome", "without a wait")
     world.wait_for_stop(ROBOT, "a second")
     page.click("#end")
@@ -107,7 +107,7 @@ def test_a_text_that_computes_stops_its_robot_after_a_second_and_says_so(blocks,
 ])
 def test_a_text_that_fails_stops_its_robot_says_why_and_the_next_one_runs(blocks, world, text, sentence):
     page = blocks({**program(), "python": f"{DRIVE}rospy.sleep(0.5)\n{text}"})
-    world.hold(page, lambda: page.click("#run"), lambda: page.click("#end"), ROBOT)
+    world.run(page, ROBOT)
     page.wait_for_text("outcome", sentence)
     world.wait_for_stop(ROBOT, sentence)
     page.errors()  # what broke off
@@ -198,7 +198,7 @@ def texts(engine, world):  # noqa: F811
     page.open(f"{world.address}program", ROBOT)
     page.errors()
     show_text(page, f"{DRIVE}while not rospy.is_shutdown():\n    publisher.publish(command)\n    rospy.sleep(0.1)\n")
-    world.hold(page, lambda: page.click("#run"), lambda: page.click("#end"), ROBOT)
+    world.run(page, ROBOT)
     yield page
     if page.runs:
         page.leave()

@@ -56,7 +56,7 @@ def test_the_lesson_for_the_tablet_from_pad_to_blocks_to_python_to_the_judge(pag
     type_into(page, ".blocklySvg .robot_drive .math_number ~ .math_number .blocklyEditableField", "3.33")
     page.wait_for_text("python", "    drive(0.5, 0, 3.33)\n    stop()")
     world.press_until(lambda: page.text_of("#python .now") == "drive(0.5, 0, 3.33)" and moving(*world.wheels(ROBOT)),
-                      page, lambda: page.click("#run"), lambda: page.click("#end"))
+                      page, page.start_program, lambda: page.click("#end"))
     page.click("#end")
     world.wait_for_stop(ROBOT)
     page.type("title", "my metre")

@@ -134,6 +134,10 @@ class World:
         """Press, and fail unless the wheels turn as wanted soon."""
         self.press_until(lambda: wanted(*self.wheels(robot)), page, press, let_go)
 
+    def run(self, page, robot: str, wanted: Condition = moving) -> None:
+        """Run a page's program, and fail unless the wheels turn as wanted soon after it has begun."""
+        self.hold(page, page.start_program, lambda: page.click("#end"), robot, wanted)
+
     def drive_until(self, condition: Callable[[], object], page) -> None:
         """Put a finger on the pad of a page, and fail unless the condition becomes true soon."""
         self.press_until(condition, page, page.touch, page.lift)
@@ -156,8 +160,8 @@ class World:
             f"and shows {page.text_of('body')!r}{self._logs()}")
 
     def paused(self, page, start: float) -> bool:
-        """Return whether the page, the cockpit or this process paused since then, and the switch may rightly fire."""
-        return max(self.record.paused_at, page.paused_at()) > start
+        """Return whether page, cockpit or this process paused since then: the switch may fire, or a program may end."""
+        return max(self.record.paused_at, page.paused_at()) > start or page.is_starved()
 
     def undisturbed(self, page, act: Callable) -> None:
         """Do this; only if it fails, and the page, the cockpit or this process paused meanwhile, do it again."""
