@@ -76,8 +76,10 @@ def serve(port):
 
 
 def check(behaviour):
-    rospy.init_node(f"test_{behaviour}", argv=[])
+    rospy.init_node(f"test_{behaviour}", argv=[], disable_signals=True)  # rospy goes on after SIGTERM
     suite = unittest.defaultTestLoader.loadTestsFromName(f"behaviours.{behaviour}")
-    done = unittest.TextTestRunner(verbosity=2).run(suite)
-    rospy.signal_shutdown("the end")
+    try:
+        done = unittest.TextTestRunner(verbosity=2).run(suite)
+    finally:
+        rospy.signal_shutdown("the end")
     sys.exit(not done.wasSuccessful())
