@@ -26,7 +26,8 @@ from jetbot_cockpit.web.access import make_grants, numbered
 
 IDS = [f"{number:016x}" for number in range(100)]
 SQUARE, CIRCLE, STAR = (json.dumps({"blocks": {name: 1}}) for name in ("square", "circle", "star"))
-CALLS = "os.replace", "os.fsync", "os.open", "pathlib.Path.unlink"
+PAGES = [json.dumps({"blocks": '"' * 32700, "page": page}) for page in range(15)]
+CALLS = (os, "replace"), (os, "fsync"), (os, "open"), (Path, "unlink")
 
 
 class Killed(BaseException):
@@ -47,6 +48,11 @@ def classes(tmp_path):
     yield start
     if opened:
         start.end()
+
+
+@pytest.fixture
+def programs():
+    return Programs(Nowhere())
 
 
 def save(programs, id=IDS[0], version=0, name="Square", program=SQUARE, robot="/red"):
@@ -88,19 +94,29 @@ def versions(programs):
     return [each.program for each in programs.open("/red", IDS[0]).versions()]
 
 
-def test_what_two_pages_make_of_one_version_is_both_kept_also_after_a_restart(classes):
+@pytest.mark.parametrize("saves, left", [
+    ([(0, SQUARE), (1, CIRCLE), (1, STAR)], [STAR, CIRCLE]),
+    ([(1, CIRCLE), (2, STAR)], [STAR, CIRCLE]),
+    ([(0, SQUARE), (0, SQUARE), (1, CIRCLE), (1, STAR), (1, CIRCLE)], [CIRCLE, STAR]),
+    ([(99, text) for text in PAGES], PAGES[:-12:-1])],
+    ids=["two pages make of one version", "a page that outlives a cockpit without a class makes, and another one",
+         "is sent again because its answer was lost", "many pages make: the newest, also the largest"])
+def test_which_versions_are_kept_also_after_a_restart(classes, saves, left):
     programs = Programs(classes())
-    save(programs)
-    save(programs, version=1, program=CIRCLE)
-    save(programs, version=1, name="Other", program=STAR)
-    programs = Programs(classes())
-    assert versions(programs) == [STAR, CIRCLE]
-    row = programs.rows("/red")[0]
-    assert (row["name"], row["version"], row["earlier"]) == ("Other", 3, [{"version": 2, "name": "Square"}])
+    for version, text in saves:
+        save(programs, version=version, program=text)
+    assert versions(programs) == versions(Programs(classes())) == left
 
 
-def test_a_version_is_replaced_by_what_is_made_of_it_and_by_nothing_else():
-    programs = Programs(Nowhere())
+def test_versions_have_names_also_after_a_restart(classes):
+    programs = Programs(classes())
+    for version, name in (0, "Square"), (1, "Circle"), (1, "Other"):
+        save(programs, version=version, name=name)
+    row = Programs(classes()).rows("/red")[0]
+    assert (row["name"], row["version"], row["earlier"]) == ("Other", 3, [{"version": 2, "name": "Circle"}])
+
+
+def test_a_version_is_replaced_by_what_is_made_of_it_and_by_nothing_else(programs):
     red = blue = save(programs).version
     for number in range(20):
         red = save(programs, version=red, program=json.dumps({"red": number})).version
@@ -110,15 +126,7 @@ def test_a_version_is_replaced_by_what_is_made_of_it_and_by_nothing_else():
     assert versions(programs) == [STAR, '{"blue": 19}'], "an earlier one was opened and changed"
 
 
-def test_of_many_versions_the_newest_are_kept_and_the_cockpit_reads_the_largest_again(classes):
-    programs, texts = Programs(classes()), [json.dumps({"blocks": '"' * 32700, "page": page}) for page in range(15)]
-    for text in texts:
-        save(programs, version=99, program=text)
-    assert versions(Programs(classes())) == texts[:-12:-1]
-
-
-def test_each_version_can_be_opened_and_the_newest_in_place_of_one_that_is_replaced():
-    programs = Programs(Nowhere())
+def test_each_version_can_be_opened_and_the_newest_in_place_of_one_that_is_replaced(programs):
     for version, text in (0, SQUARE), (1, CIRCLE), (1, STAR):
         save(programs, version=version, program=text)
     program = programs.open("/red", IDS[0])
@@ -126,15 +134,7 @@ def test_each_version_can_be_opened_and_the_newest_in_place_of_one_that_is_repla
     assert program.opened(2)["version"] == 2
 
 
-def test_a_page_that_outlives_a_cockpit_without_a_class_overwrites_no_other_page_there():
-    programs = Programs(Nowhere())
-    save(programs, version=1, program=CIRCLE)
-    save(programs, version=2, program=STAR)
-    assert versions(programs) == [STAR, CIRCLE]
-
-
-def test_a_change_of_a_deleted_program_brings_it_back():
-    programs = Programs(Nowhere())
+def test_a_change_of_a_deleted_program_brings_it_back(programs):
     save(programs)
     programs.delete("/red", IDS[0], True)
     save(programs, version=1, program=CIRCLE)
@@ -150,17 +150,12 @@ def test_what_1_2_has_kept_is_read(classes):
     assert kept(programs) == {IDS[0]: SQUARE} and save(programs, version=3, program=CIRCLE).version == 4
 
 
-def test_what_is_sent_again_because_its_answer_was_lost_is_kept_once():
-    programs = Programs(Nowhere())
+def test_the_same_again_is_answered_as_before(programs):
     assert save(programs) == save(programs)
     assert programs.delete("/red", IDS[0], True) == programs.delete("/red", IDS[0], True)
-    save(programs, version=1, program=CIRCLE)
-    save(programs, version=1, program=STAR)
-    assert save(programs, version=1, program=CIRCLE) and versions(programs) == [CIRCLE, STAR]
 
 
-def test_the_other_page_sees_that_something_has_changed():
-    programs = Programs(Nowhere())
+def test_the_other_page_sees_that_something_has_changed(programs):
     seen = [programs.changed("/red")]
     for change in (lambda: save(programs), lambda: save(programs, version=1, name="Big square"),
                    lambda: programs.delete("/red", IDS[0], True), lambda: programs.delete("/red", IDS[0], False)):
@@ -179,8 +174,7 @@ def test_a_deleted_program_comes_back_by_undo_also_after_a_restart(classes):
     assert kept(Programs(classes())) == {IDS[0]: SQUARE}
 
 
-def test_no_robot_reads_or_changes_another_ones_programs():
-    programs = Programs(Nowhere())
+def test_no_robot_reads_or_changes_another_ones_programs(programs):
     save(programs)
     for foreign in (lambda: programs.open("/blue", IDS[0]), lambda: programs.delete("/blue", IDS[0], True),
                     lambda: save(programs, version=1, robot="/blue", program=CIRCLE)):
@@ -205,17 +199,9 @@ def test_a_robot_has_room_for_some_programs_and_deleted_ones_make_room(classes):
     assert set(kept(Programs(classes()))) == left
 
 
-def test_a_robots_programs_are_limited_in_all():
-    programs, large = Programs(Nowhere()), json.dumps({"blocks": "x" * (one.MAX_TEXT - 20)})
-    with pytest.raises(Refused, match="no room"):
-        for id in IDS:
-            save(programs, id, program=large)
-    assert len(kept(programs)) == rules.MAX_TOTAL // len(large)
-
-
-def test_earlier_versions_take_a_robots_room_too():
-    programs = Programs(Nowhere())
-    large = [json.dumps({"blocks": page * (one.MAX_TEXT - 20)}) for page in "abcd"]
+@pytest.mark.parametrize("pages", ["x", "abcd"], ids=["programs", "earlier versions, too"])
+def test_a_robots_programs_are_limited_in_all(programs, pages):
+    large = [json.dumps({"blocks": page * (one.MAX_TEXT - 20)}) for page in pages]
     with pytest.raises(Refused, match="no room"):
         for id in IDS:
             for text in large:
@@ -229,8 +215,7 @@ def test_earlier_versions_take_a_robots_room_too():
     '{"a": "\ud800"}', '{"a": NaN}', '{"a": [-Infinity]}',
     json.dumps({"a": "x" * 65536}), json.dumps({"a": "ä" * 32768}, ensure_ascii=False), "9" * 60000],
     ids=lambda each: f"{each[:9]} {len(each)}")
-def test_what_is_no_program_is_refused(program):
-    programs = Programs(Nowhere())
+def test_what_is_no_program_is_refused(programs, program):
     with pytest.raises(Refused):
         save(programs, program=program)
     assert not programs.rows("/red")
@@ -281,14 +266,12 @@ def test_damaged_codes_are_put_aside_and_the_terminal_says_so(classes, content):
     assert (classes.path / "codes.damaged").read_text() == content and not classroom.take_problems()
 
 
-def interrupted(monkeypatch, call, at, exception, *arguments, **options):
+def interrupted(monkeypatch, target, name, at, exception, *arguments, **options):
     """Save this; let the call of this name fail the at-th time. Return whether it did."""
-    module, _, name = call.rpartition(".")
-    target = os if module == "os" else __import__("pathlib").Path
     real, calls = getattr(target, name), []
 
     def fails(*arguments, **options):
-        calls.append(call)
+        calls.append(name)
         if len(calls) == at:
             raise exception
         return real(*arguments, **options)
@@ -302,7 +285,7 @@ def interrupted(monkeypatch, call, at, exception, *arguments, **options):
 
 
 @pytest.mark.parametrize("exception", [Killed(), OSError(errno.ENOSPC, "No space")], ids=["kill", "full"])
-@pytest.mark.parametrize("call", CALLS)
+@pytest.mark.parametrize("call", CALLS, ids=[name for _, name in CALLS])
 def test_whatever_fails_while_saving_the_old_version_or_the_new_one_is_there(classes, monkeypatch, call, exception):
     failures = 0
     for at in range(1, 5):
@@ -310,7 +293,7 @@ def test_whatever_fails_while_saving_the_old_version_or_the_new_one_is_there(cla
         base = next((row["version"] for row in programs.rows("/red")), 0)
         save(programs, version=base, program=SQUARE)
         base = programs.rows("/red")[0]["version"]
-        failures += interrupted(monkeypatch, call, at, exception, programs, version=base, program=CIRCLE)
+        failures += interrupted(monkeypatch, *call, at, exception, programs, version=base, program=CIRCLE)
         again = Programs(classes())
         assert kept(again) in ({IDS[0]: SQUARE}, {IDS[0]: CIRCLE})
         assert [file.name for file in classes.path.iterdir()] == [f"program_{IDS[0]}.json"], "nothing is left over"
@@ -356,7 +339,7 @@ def test_in_whatever_order_what_was_answered_is_there(classes, monkeypatch, step
             expected.pop(id, None)
             expected.update({} if program.deleted else {id: program.program})
         elif step == "kill":
-            interrupted(monkeypatch, "os.fsync", at, Killed(), programs, id, version, program=text)
+            interrupted(monkeypatch, os, "fsync", at, Killed(), programs, id, version, program=text)
             programs = Programs(classes())
             assert kept(programs).get(id) in (text, expected.get(id))
             expected = {**{key: value for key, value in expected.items() if key != id},
