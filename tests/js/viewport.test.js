@@ -69,36 +69,21 @@ test("the wheel zooms around the pointer, within limits", () => {
   assert.equal(viewport.scale, 15);
 });
 
-test("a finger moves the floor with it", () => {
-  const { viewport, seen, hand } = begin();
-  const place = viewport.toMetres(100, 100);
-  hand("pointerdown", 1, 100, 100);
-  hand("pointermove", 1, 160, 70);
-  assert.ok(near(viewport.toMetres(160, 70), place));
-  hand("pointerup", 1, 160, 70);
-  assert.deepEqual(seen.taps, []);
-  assert.equal(seen.dragged, 1);
-});
-
-test("a finger that hardly moves has tapped", () => {
-  const { seen, hand } = begin();
-  hand("pointerdown", 1, 100, 100);
-  hand("pointermove", 1, 103, 102);
-  hand("pointerup", 1, 103, 102);
-  assert.deepEqual(seen.taps, [[100, 100]]);
-  hand("pointerdown", 1, 100, 100);
-  hand("pointercancel", 1, 100, 100);
-  assert.equal(seen.taps.length, 1);
-});
-
-test("two fingers zoom, and tap nothing", () => {
-  const { viewport, seen, hand } = begin();
-  hand("pointerdown", 1, 150, 150);
-  hand("pointerdown", 2, 250, 150);
-  hand("pointermove", 2, 350, 150);
-  assert.equal(viewport.scale, 440);
-  assert.equal(seen.zoomed, 1);
-  hand("pointerup", 2, 350, 150);
-  hand("pointerup", 1, 150, 150);
-  assert.deepEqual(seen.taps, []);
-});
+const DRAG = [["down", 1, 100, 100], ["move", 1, 160, 70], ["up", 1, 160, 70]];
+const TREMBLE = [["down", 1, 100, 100], ["move", 1, 103, 102], ["up", 1, 103, 102]];
+const PINCH = [["down", 1, 150, 150], ["down", 2, 250, 150], ["move", 2, 350, 150], ["up", 2, 350, 150],
+  ["up", 1, 150, 150]];
+for (const [what, gesture, seen, from, to] of [ // taps, drags, zooms, scale; where a place of the floor was, and is
+  ["a finger moves the floor with it", DRAG, [[], 1, 0, 220], [100, 100], [160, 70]],
+  ["a finger that hardly moves has tapped", TREMBLE, [[[100, 100]], 0, 0, 220]],
+  ["a finger that the browser takes away taps nothing", [TREMBLE[0], ["cancel", 1, 100, 100]], [[], 0, 0, 220]],
+  ["two fingers zoom, and tap nothing", PINCH, [[], 0, 1, 440]],
+]) {
+  test(what, () => {
+    const { viewport, seen: now, hand } = begin();
+    const place = from && viewport.toMetres(...from);
+    for (const [type, ...where] of gesture) hand(`pointer${type}`, ...where);
+    assert.deepEqual([now.taps, now.dragged, now.zoomed, viewport.scale], seen);
+    if (from) assert.ok(near(viewport.toMetres(...to), place));
+  });
+}
