@@ -8,7 +8,7 @@ import { Kept } from "#www/program/kept.js";
 import { clean, freeName } from "#www/program/names.js";
 
 import { Clock } from "./clock.js";
-import { later, LOST, playCockpit, refuse } from "./cockpit.js";
+import { LOST, playCockpit, refuse } from "./cockpit.js";
 
 Object.assign(limits, { program: 1000, program_name: 40 });
 
@@ -16,11 +16,27 @@ const EMPTY = JSON.stringify({ blocks: { blocks: [] } });
 const named = (name, program = EMPTY) => ({ name, program });
 const kept = ({ version }) => ({ version: version + 1 });
 
-// Returns a new program of this robot, the clock, what is asked, and the sentences that a person reads.
-function begin(t, answer = kept, robot = "/red", which = {}) {
-  const state = { clock: new Clock(t), asked: playCockpit(t, answer), read: [] };
+// Returns a new program of this robot, the clock, what is asked, and the sentences that a person reads. answers: to the
+// first requests, each at once or after so many ms; what follows them is kept
+function begin(t, answers = [], robot = "/red", which = {}) {
+  const state = { clock: new Clock(t), read: [] };
+  state.asked = playCockpit(t, async (fields, times) => {
+    const [answer, ms = 0] = answers[times - 1] ?? [kept(fields)];
+    if (ms) await new Promise((resolve) => { setTimeout(resolve, ms); });
+    return answer;
+  });
   state.kept = new Kept(robot, which, ({ state: { text } }) => state.read.push(text));
   return state;
+}
+
+// Begins, and lets happen what follows: the ms that pass, and the names to which a person changes it, or its content.
+async function play(t, answers, ...steps) {
+  const page = begin(t, answers);
+  for (const step of steps) {
+    if (typeof step === "number") await page.clock.pass(step);
+    else page.kept.change(step.name ? step : named(step));
+  }
+  return page;
 }
 
 test("a change is sent once nothing has changed for a second, and then it is kept", async (t) => {
@@ -37,95 +53,55 @@ test("a change is sent once nothing has changed for a second, and then it is kep
   assert.equal(program.version, 1);
 });
 
-test("without an answer the same is sent again every 3 s, and the person reads that until it is kept", async (t) => {
-  const { kept: program, clock, asked, read } = begin(t, (fields, times) => (times < 3 ? LOST : kept(fields)));
-  program.change(named("A"));
-  await clock.pass(1000 + 3000);
-  assert.equal(read.at(-1), "The cockpit does not answer. The page tries again.");
-  assert.equal(program.state.unsaved, true);
-  await clock.pass(3000);
-  assert.deepEqual(asked, Array(3).fill(asked[0]));
-  assert.equal(read.at(-1), "Kept");
-});
+const NO_ROOM = refuse(409, "There is no room.", "full");
+const KEPT = ["Kept", undefined, undefined];
+const NOT_YET = ["Not kept yet", undefined, true];
+const again = (problem) => [`${problem} The page tries again.`, true, true];
 
-for (const [what, status] of [["no code yet", 403], ["a disk that is busy", 503], ["a full disk", 507]]) {
-  test(`after ${what} the same is sent again, and the person reads the cockpit's sentence meanwhile`, async (t) => {
-    const { kept: program, clock, read } = begin(t, (fields, times) => (
-      times < 2 ? refuse(status, "Not now.") : kept(fields)));
-    program.change(named("A"));
-    await clock.pass(1000);
-    assert.deepEqual([program.state.text, program.state.bad], ["Not now. The page tries again.", true]);
-    await clock.pass(3000);
-    assert.equal(read.at(-1), "Kept");
+for (const [what, answers, steps, asked, state] of [ // names and versions; the text, whether that is bad, and unsaved
+  ["without an answer the same is sent again every 3 s, and the person reads that",
+    [[LOST], [LOST]], ["A", 4000], "A0 A0", again("The cockpit does not answer.")],
+  ["without an answer the same is sent until it is kept", [[LOST], [LOST]], ["A", 7000], "A0 A0 A0", KEPT],
+  ...Object.entries({ "no code yet": 403, "a disk that is busy": 503, "a full disk": 507 }).flatMap(([why, status]) => [
+    [`after ${why} a person reads the cockpit's sentence`, [[refuse(status, "Not now.")]], ["A", 1000], "A0",
+      again("Not now.")],
+    [`after ${why} the same is sent again`, [[refuse(status, "Not now.")]], ["A", 4000], "A0 A0", KEPT],
+  ]),
+  ["what is changed while an answer is awaited waits for it, and a second more",
+    [[{ version: 7 }, 4000]], ["A", 1000, "B", 4999], "A0", NOT_YET],
+  ["what is changed while an answer is awaited is sent on the new version",
+    [[{ version: 7 }, 4000]], ["A", 1000, "B", 5000], "A0 B7", KEPT],
+  ["what was sent without an answer is sent again before anything newer",
+    [[LOST]], ["A", 1000, "B", 5000], "A0 A0 B1", KEPT],
+  ["what the cockpit refuses is not sent again", [[NO_ROOM]], ["A", 60000], "A0", ["There is no room.", true, true]],
+  ["the next change after a refusal is sent", [[NO_ROOM]], ["A", 60000, "B", 1000], "A0 B0", KEPT],
+  ["what is changed while the cockpit refuses the one before is sent",
+    [[NO_ROOM, 500]], ["A", 1000, "B", 1500], "A0 B0", KEPT],
+]) {
+  test(what, async (t) => {
+    const page = await play(t, answers, ...steps);
+    const { text, bad, unsaved } = page.kept.state;
+    assert.equal(page.asked.map(({ name, version }) => name + version).join(" "), asked);
+    assert.ok(page.asked.every(({ id, program }) => id === page.kept.id && program === EMPTY));
+    assert.deepEqual([text, bad, unsaved], state);
   });
 }
 
-test("what is changed while an answer is awaited is sent after it, on the new version", async (t) => {
-  const answers = [later(), later()];
-  const { kept: program, clock, asked } = begin(t, (fields, times) => answers[times - 1].promise);
-  program.change(named("A"));
-  await clock.pass(1000);
-  program.change(named("B"));
-  await clock.pass(5000);
-  assert.equal(asked.length, 1);
-  await answers[0].answer({ version: 7 });
-  assert.equal(program.state.name, "waiting");
-  await clock.pass(1000);
-  assert.deepEqual(asked.map(({ name, version }) => [name, version]), [["A", 0], ["B", 7]]);
-});
-
-test("what was sent without an answer is sent again before anything newer", async (t) => {
-  const { kept: program, clock, asked } = begin(t, (fields, times) => (times < 2 ? LOST : kept(fields)));
-  program.change(named("A"));
-  await clock.pass(1000);
-  program.change(named("B"));
-  await clock.pass(5000);
-  assert.deepEqual(asked.map(({ name, version }) => [name, version]), [["A", 0], ["A", 0], ["B", 1]]);
-});
-
-test("what the cockpit refuses is not sent again, but the next change is", async (t) => {
-  const { kept: program, clock, asked, read } = begin(t, (fields, times) => (
-    times < 2 ? refuse(409, "There is no room.", "full") : kept(fields)));
-  program.change(named("A"));
-  await clock.pass(60000);
-  assert.equal(asked.length, 1);
-  assert.deepEqual([program.state.name, read.at(-1)], ["refused", "There is no room."]);
-  program.change(named("B"));
-  await clock.pass(1000);
-  assert.equal(read.at(-1), "Kept");
-});
-
-test("what is changed while the cockpit refuses the one before is sent", async (t) => {
-  const first = later();
-  const { kept: program, clock, asked } = begin(t, (fields, times) => (times < 2 ? first.promise : kept(fields)));
-  program.change(named("A"));
-  await clock.pass(1000);
-  program.change(named("B"));
-  await first.answer(refuse(409, "This is no program."));
-  await clock.pass(1000);
-  assert.deepEqual([asked.length, program.state.name], [2, "kept"]);
-});
-
-for (const [what, text, sentence] of [
-  ["too large", JSON.stringify({ blocks: { blocks: [] }, pad: "ä".repeat(500) }), /^Too large to be kept here/],
-  ["no program", '{"blocks":{"blocks":[{"type":"alien"}]}}', /does not know the block alien/],
+for (const [what, content, sentence] of [
+  ["too large", { blocks: { blocks: [] }, pad: "ä".repeat(500) }, /^Too large to be kept here/],
+  ["no program", { blocks: { blocks: [{ type: "alien" }] } }, /does not know the block alien/],
 ]) {
   test(`what is ${what} is not even sent, and not called kept when the one before is`, async (t) => {
-    const first = later();
-    const { kept: program, clock, asked } = begin(t, () => first.promise);
-    program.change(named("A"));
-    await clock.pass(1000);
-    program.change(named("A", text));
-    await first.answer({ version: 1 });
-    await clock.pass(5000);
+    const wrong = named("A", JSON.stringify(content));
+    const { kept: { state }, asked } = await play(t, [[{ version: 1 }, 500]], "A", 1000, wrong, 5500);
     assert.equal(asked.length, 1);
-    assert.match(program.state.text, sentence);
-    assert.deepEqual([program.state.bad, program.state.unsaved], [true, true]);
+    assert.match(state.text, sentence);
+    assert.deepEqual([state.bad, state.unsaved], [true, true]);
   });
 }
 
 test("a change before there is a robot is sent when there is one", async (t) => {
-  const { kept: program, clock, asked } = begin(t, kept, null);
+  const { kept: program, clock, asked } = begin(t, [], null);
   program.change(named("A"));
   await clock.pass(60000);
   assert.equal(asked.length, 0);
@@ -159,7 +135,7 @@ for (const [where, Segmenter, cut] of [["a browser", Intl.Segmenter, ""],
 }
 
 test("a newer version of another page is said, and the next change is made of the version that is shown", async (t) => {
-  const { kept: program, clock, asked, read } = begin(t, () => ({ version: 9 }), "/red", { version: 3 });
+  const { kept: program, clock, asked, read } = begin(t, [[{ version: 9 }]], "/red", { version: 3 });
   program.compare({ version: 8 });
   assert.deepEqual([read.at(-1), program.state.newer], ["There is a newer version of this program.", 8]);
   program.change(named("Mine"));
@@ -168,7 +144,7 @@ test("a newer version of another page is said, and the next change is made of th
 });
 
 test("a list that is older than what was kept, or that comes before a change is kept, says nothing", async (t) => {
-  const { kept: program, clock } = begin(t, kept, "/red", { version: 3 });
+  const { kept: program, clock } = begin(t, [], "/red", { version: 3 });
   program.compare({ version: 2 });
   program.compare({ version: 3 });
   assert.equal(program.state.name, "unchanged");
