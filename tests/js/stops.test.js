@@ -66,24 +66,27 @@ test("the sentence stays when somebody presses again, and goes with the release"
   assert.equal(shown(), "");
 });
 
-test("a stop by somebody else, and a robot that comes back during one, are named, too", async (t) => {
-  const clock = new Clock(t);
-  report({ unconfirmed: ["/jetbot_02"] });
-  assert.equal(shown(), "");
-  await clock.pass(1100);
-  assert.match(shown(), /Not confirmed: jetbot_02\./);
-  report();
-  report({ unconfirmed: ["/jetbot_01"] });
-  assert.match(shown(), /Not confirmed: jetbot_01\./);
-});
-
-test("a robot that is not in the list any more counts, and is named", async (t) => {
-  const clock = new Clock(t);
-  world.list({ robots: world.robots.slice(0, 2) });
-  report({ unconfirmed: ["/jetbot_03"] });
-  await clock.pass(1100);
-  assert.match(shown(), /^Stopped: 2 of 3\. Not confirmed: jetbot_03\./);
-});
+for (const [what, listed, unconfirmed, sentence] of [
+  ["a stop by somebody else is named, too", 3, "/jetbot_02",
+    "Stopped: 2 of 3. Not confirmed: jetbot_02. Use their own switches."],
+  ["a robot that is not in the list any more counts, and is named", 2, "/jetbot_03",
+    "Stopped: 2 of 3. Not confirmed: jetbot_03. Use their own switches."],
+  ["one robot alone needs no number", 1, "/jetbot_01",
+    "The stop is not confirmed yet. Press again, or use the robot's own switch."],
+]) {
+  test(what, async (t) => {
+    const clock = new Clock(t);
+    world.list({ robots: world.robots.slice(0, listed) });
+    report({ unconfirmed: [unconfirmed] });
+    assert.equal(shown(), "");
+    await clock.pass(1100);
+    assert.equal(shown(), sentence);
+    report();
+    assert.equal(shown(), "");
+    report({ unconfirmed: [unconfirmed] });
+    assert.equal(shown(), sentence, "it comes back during the stop");
+  });
+}
 
 test("a cockpit that does not confirm is reported until it does, though it is released at once", async (t) => {
   const clock = new Clock(t);
@@ -97,14 +100,6 @@ test("a cockpit that does not confirm is reported until it does, though it is re
   report({ emergency: false });
   await clock.pass(1100);
   assert.equal(shown(), "");
-});
-
-test("one robot alone needs no number", async (t) => {
-  const clock = new Clock(t);
-  world.list({ robots: world.robots.slice(0, 1) });
-  report({ unconfirmed: ["/jetbot_01"] });
-  await clock.pass(1100);
-  assert.match(shown(), /^The stop is not confirmed yet/);
 });
 
 test("a robot that has not confirmed the stop is not shown as stopped", () => {
