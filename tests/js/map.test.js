@@ -50,29 +50,17 @@ test("the map shows the whole course while its task is driven, and at its end", 
   assert.equal(map.viewport.x, 0.5);
 });
 
-test("it follows the robot again when that drives on after its task", () => {
-  report("stopped", "done");
-  report("driving", "done");
-  assert.ok(map.following);
-});
-
-test("it follows the robot again when the course is gone", () => {
-  draw([]);
-  report("stopped");
-  assert.ok(map.following);
-});
-
-const BY_HAND = {
-  drags: () => map.viewport.drag(50, 0),
-  zooms: () => hands["zoom-in click"](),
-  "shows all": () => hands["fit click"](),
-};
-
-for (const [what, act] of Object.entries(BY_HAND)) {
-  test(`a map that a person ${what} stays as it is`, () => {
-    act();
-    draw([]);
-    report("driving", "done");
-    assert.ok(!map.following);
+const removed = () => draw([]);
+for (const [what, acts, state, following] of [ // what a person does, or what comes; the last state
+  ["follows the robot again when that drives on after its task", [], "driving", true],
+  ["follows the robot again when the course is gone", [removed], "stopped", true],
+  ["that a person drags stays as it is", [() => map.viewport.drag(50, 0), removed], "driving", false],
+  ["that a person zooms stays as it is", [() => hands["zoom-in click"](), removed], "driving", false],
+  ["that shows all, as a person wants it, stays as it is", [() => hands["fit click"](), removed], "driving", false],
+]) {
+  test(`a map ${what}`, () => {
+    for (const act of acts) act();
+    report(state, state === "driving" ? "done" : null);
+    assert.equal(map.following, following);
   });
 }
