@@ -21,11 +21,12 @@ function named(json) {
 }
 
 // Runs a program, whose robot answers at once, on a page that shows what it prints and why it has ended.
-async function begin(t, json, { stepping = false, delay = 0, ready = true, printed } = {}) {
+async function begin(t, json, { stepping = false, delay = () => 0, ready = true, printed } = {}) {
   const page = { clock: new Clock(t), sent: [], prints: [], ends: [] };
   page.run = new Run(json.run ? json : new Interpreter(named(json), ROBOT), ROBOT, stepping, {
     send: (message) => (message.type === "program" ? answer(page, ready) : page.sent.push(message)),
-    printed: ({ print: text }) => page.prints.push(text) && printed?.(page.run), changed() {}, delay: () => delay,
+    printed: ({ print: text }) => page.prints.push(text) && printed?.(page.run), changed() {},
+    delay: () => delay(page.clock),
     ended: (...why) => page.ends.push(why),
   });
   await page.clock.pass(60);
@@ -108,7 +109,7 @@ test("a loop that has nothing in it is stepped through, too", async (t) => {
 });
 
 test("a slow program stands for a while before each block", async (t) => {
-  const page = await begin(t, program([print("a"), print(plug("robot_time"))]), { delay: 1000 });
+  const page = await begin(t, program([print("a"), print(plug("robot_time"))]), { delay: () => 1000 });
   await page.clock.pass(900);
   assert.deepEqual(page.prints, []);
   await page.clock.pass(200);
@@ -128,9 +129,13 @@ test("a program that is stopped stops the robot at once, and does nothing any mo
   assert.deepEqual([page.sent.length, page.prints, page.ends], [count, [], [["Stopped.", null]]]);
 });
 
-for (const [first, act] of [["notices it", () => {}], ["sends a command", ({ run }) => run.command(0.5, 0)]]) {
-  test(`after the page was frozen its program drives no robot, also if it first ${first}`, async (t) => {
-    const page = await begin(t, program([drive(0.5, 30)]));
+for (const [what, first, act] of [
+  ["drove ends", drive(0.5, 30), () => {}],
+  ["drove sends no command, but ends", drive(0.5, 30), ({ run }) => run.command(0.5, 0)],
+  ["waited ends, too", block("robot_wait", { SECONDS: 30 }), () => {}],
+]) {
+  test(`after the page was frozen a program that ${what}`, async (t) => {
+    const page = await begin(t, program([first]));
     await page.clock.pass(500);
     page.clock.freeze(400);
     const count = page.sent.length;
@@ -140,14 +145,6 @@ for (const [first, act] of [["notices it", () => {}], ["sends a command", ({ run
     assert.deepEqual(page.sent.slice(count), [ZERO]);
   });
 }
-
-test("a program that was frozen while it waited has ended, too", async (t) => {
-  const page = await begin(t, program([block("robot_wait", { SECONDS: 30 })]));
-  await page.clock.pass(500);
-  page.clock.freeze(400);
-  await page.clock.pass(100);
-  assert.deepEqual(page.ends, [["This page was interrupted, so the robot stopped.", null]]);
-});
 
 test("a block that fails stops the robot, and is named", async (t) => {
   const faulty = plug("math_arithmetic", { A: 1, B: 0 }, { OP: "DIVIDE" });
@@ -159,36 +156,28 @@ test("a block that fails stops the robot, and is named", async (t) => {
   assert.deepEqual(page.sent.at(-1), ZERO);
 });
 
-const FAST = [ // the first block, what it asks for at most, whose robot; the blocks after it
-  [drive(3.33, 0.1), "A wheel takes 1 at most, not 3.33."],
-  [drive(-2, 0.1), "A wheel takes 1 at most, not 2."],
-  [block("robot_set", { X: 0.8, Z: 0.4 }), "A wheel takes 1 at most, not 1.2.", block("robot_wait", { SECONDS: 0.1 })],
-  [block("robot_set", { X: 7, Z: 0 }), "A wheel takes 1 at most, not 7.", print("no wait")],
-  [drive(1, 0.1), undefined],
-  [block("robot_turn", { Z: 1, SECONDS: 0.1 }, { fields: { SIDE: "LEFT" } }), undefined],
-];
-
-for (const [first, text, ...others] of FAST) {
-  test(`of ${first.type} a person reads ${text}`, async (t) => {
-    const page = await begin(t, program([{ ...first, id: "fast" }, ...others, drive(9, 0.1)].slice(0, text ? 9 : 1)));
-    await page.clock.pass(1000);
-    assert.deepEqual(page.run.limit && [page.run.limit.text, page.run.limit.place], text ? [text, "fast"] : null);
-  });
-}
-
 const SET = block("robot_set", { X: 0.5, Z: 0 });
 const WAIT = block("robot_wait", { SECONDS: 0.1 });
 const UNUSED = "The robot obeys while the program waits: put a wait below the last block that sets its speed.";
-for (const [what, blocks, text] of [
+const LEFT = block("robot_turn", { Z: 1, SECONDS: 0.1 }, { fields: { SIDE: "LEFT" } });
+const speed = (X, Z) => ({ ...block("robot_set", { X, Z }), id: "fast" });
+const way = (X) => ({ ...drive(X, 0.1), id: "fast" });
+for (const [what, blocks, text = "", place = null] of [ // what a person reads, and of which block
+  ["drives too fast, and once more", [way(3.33), drive(9, 0.1)], "A wheel takes 1 at most, not 3.33.", "fast"],
+  ["drives back too fast", [way(-2), drive(9, 0.1)], "A wheel takes 1 at most, not 2.", "fast"],
+  ["turns a wheel too fast", [speed(0.8, 0.4), WAIT, drive(9, 0.1)], "A wheel takes 1 at most, not 1.2.", "fast"],
+  ["does not wait", [speed(7, 0), print("no wait"), drive(9, 0.1)], "A wheel takes 1 at most, not 7.", "fast"],
+  ["drives at full speed", [way(1)]],
+  ["turns at full speed", [LEFT]],
   ["has no wait", [SET], UNUSED],
   ["has no wait after the last speed", [SET, WAIT, SET, print("done")], UNUSED],
-  ["waits", [SET, WAIT, print("done")], undefined],
-  ["ends with a stop", [SET, block("robot_stop")], undefined],
+  ["waits", [SET, WAIT, print("done")]],
+  ["ends with a stop", [SET, block("robot_stop")]],
 ]) {
-  test(`of a program that sets a speed and ${what}, a person reads ${text}`, async (t) => {
+  test(`of a program that ${what}, a person reads "${text}"`, async (t) => {
     const page = await begin(t, program(blocks));
-    await page.clock.pass(500);
-    assert.deepEqual([page.ends, page.run.limit?.text], [[["", null]], text]);
+    await page.clock.pass(1000);
+    assert.deepEqual([page.ends, page.run.limit], [[["", null]], text ? { text, place } : null]);
   });
 }
 
@@ -200,16 +189,12 @@ test("the fastest speed of a robot with SI units has its unit", () => {
 });
 
 test("a loop without a wait is reported after a second, until the program waits again", async (t) => {
-  const page = { clock: new Clock(t) };
   const early = plug("logic_compare", { A: plug("robot_time"), B: 2 }, { OP: "LT" });
   const loop = block("controls_whileUntil", { BOOL: early, DO: body(set("x", 1)) }, { fields: { MODE: "WHILE" } });
-  const blocks = named(program([loop, drive(0.5, 30)], { variables: ["x"] }));
-  page.run = new Run(new Interpreter(blocks, ROBOT), ROBOT, false, {
-    send: (message) => message.type === "program" && answer(page, true), printed() {}, changed() {}, ended() {},
-    delay: () => page.clock.freeze(1), // each statement takes a millisecond
-  });
+  const blocks = program([loop, drive(0.5, 30)], { variables: ["x"] });
+  const page = await begin(t, blocks, { delay: (clock) => clock.freeze(1) }); // each statement takes a millisecond
   const waitless = [];
-  for (const ms of [900, 600, 3000]) {
+  for (const ms of [840, 600, 3000]) {
     await page.clock.pass(ms);
     waitless.push(page.run.waitless);
   }
@@ -237,24 +222,6 @@ for (const [run, text, warning] of NEWS) {
   test(`of a program that runs a person reads: ${text}`, () => assert.deepEqual(newsOf(run), [text, warning]));
 }
 
-test("an engine that computes for long, or loads, is no interruption of the page", async (t) => {
-  const page = { clock: new Clock(t), ends: [] };
-  const later = (ms) => new Promise((resolve) => { setTimeout(resolve, ms); });
-  const engine = {
-    needs: {}, motion: [0.5, 0], repeats: false, variables: new Map(), prepare: () => later(2000), end() {},
-    async *run() {
-      await later(2000);
-      yield { publish: true };
-    },
-  };
-  page.run = new Run(engine, ROBOT, false, {
-    send: (message) => message.type === "program" && answer(page, true), printed() {}, changed() {}, delay: () => 0,
-    ended: (...why) => page.ends.push(why),
-  });
-  await page.clock.pass(5000);
-  assert.deepEqual(page.ends, [["", null]]);
-});
-
 // A text's engine: it drives, and then computes in a worker, of which the page hears nothing.
 const COMPUTES = { repeats: false, motion: [0.5, 0], variables: new Map(), needs: { senses: true, eyes: false },
   prepare() {}, end() {},
@@ -262,6 +229,16 @@ const COMPUTES = { repeats: false, motion: [0.5, 0], variables: new Map(), needs
     yield { publish: true };
     await new Promise(() => {});
   } };
+
+test("an engine that computes for long, or loads, is no interruption of the page", async (t) => {
+  const later = () => new Promise((resolve) => { setTimeout(resolve, 2000); });
+  const page = await begin(t, { ...COMPUTES, needs: {}, prepare: later, async *run() {
+    await later();
+    yield { publish: true };
+  } });
+  await page.clock.pass(5000);
+  assert.deepEqual(page.ends, [["", null]]);
+});
 
 test("a text that computes stops its robot after a second, and can go on: its page is not interrupted", async (t) => {
   const page = await begin(t, COMPUTES);
