@@ -164,40 +164,29 @@ for (const [state, text, free] of DRIVERS) {
   });
 }
 
-test("a teacher drives what a teacher holds", () => {
-  login("teacher");
-  report({ red: { held: "robot" } });
-  assert.equal(world.isBlocked("/red"), false);
-});
-
-test("nobody drives while all robots are stopped", () => {
-  login("teacher");
-  report({ red: {} }, { emergency: true });
-  assert.equal(world.isBlocked("/red"), true);
-});
-
-test("a pupil waits for the teacher's release, unless the pupil stopped all robots alone", () => {
-  const waits = (state, more) => {
+const STOP = { emergency: true };
+const blocked = () => world.isBlocked("/red"), waits = () => world.mustWait, takes = () => world.mayTake("/red");
+for (const [what, role, ask, state, more, expected] of [
+  ["drives what a teacher holds", "teacher", blocked, { held: "robot" }, {}, false],
+  ["does not drive while all robots are stopped", "teacher", blocked, {}, STOP, true],
+  ["waits for the teacher's release", "pupil", waits, {}, { ...STOP, pupils_release: false }, true],
+  ["releases what the pupil stopped alone", "pupil", waits, {}, { ...STOP, pupils_release: true }, false],
+  ["waits while the robot is stopped", "pupil", waits, { stopped: true }, {}, true],
+  ["waits for nobody's release", "teacher", waits, { stopped: true }, STOP, false],
+  ["takes a robot from its driver", "teacher", takes, { driver: BOB }, {}, true],
+  ["takes a robot from a program", "teacher", takes, { program: "/zigzag" }, {}, true],
+  ["takes a robot from what is about to drive", "teacher", takes, { resumes: 2 }, {}, true],
+  ["takes a robot that is driven", "teacher", takes, { state: "driving" }, {}, true],
+  ["takes no robot from itself", "teacher", takes, { driver: ADA }, {}, false],
+  ["takes no robot from nobody", "teacher", takes, {}, {}, false],
+  ["takes no robot that it holds", "teacher", takes, { held: "robot", program: "/zigzag" }, {}, false],
+]) {
+  test(`a ${role} ${what}`, () => {
+    login(role);
     report({ red: state }, more);
-    return world.mustWait;
-  };
-  assert.equal(waits({}, { emergency: true, pupils_release: false }), true);
-  assert.equal(waits({}, { emergency: true, pupils_release: true }), false);
-  assert.equal(waits({ stopped: true }), true);
-  login("teacher");
-  assert.equal(waits({ stopped: true }, { emergency: true }), false);
-});
-
-test("a teacher can take a robot from whoever drives it or is about to", () => {
-  login("teacher");
-  const takes = (state) => {
-    report({ red: state });
-    return world.mayTake("/red");
-  };
-  assert.deepEqual([{ driver: BOB }, { program: "/zigzag" }, { resumes: 2 }, { state: "driving" }].map(takes),
-    [true, true, true, true]);
-  assert.deepEqual([{ driver: ADA }, {}, { held: "robot", program: "/zigzag" }].map(takes), [false, false, false]);
-});
+    assert.equal(ask(), expected);
+  });
+}
 
 test("the map shows the robots whose place is known", () => {
   report({ red: { pose: [1, 2, 3] }, blue: {} });
