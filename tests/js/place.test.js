@@ -7,6 +7,7 @@ import { describePlace, describeSteering } from "#www/place.js";
 
 const START = [0, 0, 0];
 const QUARTER = Math.PI / 2;
+const WAYS = ["ahead", "ahead and left", "left", "back and left", "back", "back and right", "right", "ahead and right"];
 
 function say(pose, more = {}) {
   return describePlace({ pose, start: START, others: 0, ...more });
@@ -37,10 +38,8 @@ test("ahead and left are those of the robot as it started, wherever that was", (
 });
 
 test("where it faces, in eighths of a turn, however often it has turned", () => {
-  const headings = ["ahead", "ahead and left", "left", "back and left", "back", "back and right", "right",
-    "ahead and right"];
   for (const turns of [-3, 0, 2]) {
-    headings.forEach((heading, eighths) => [-0.3, 0, 0.3].forEach((off) => {
+    WAYS.forEach((heading, eighths) => [-0.3, 0, 0.3].forEach((off) => {
       const yaw = turns * 4 * QUARTER + eighths * QUARTER / 2 + off;
       assert.ok(say([0, 0, yaw]).endsWith(` It faces ${heading}.`), `${yaw} is ${heading}`);
     }));
@@ -61,10 +60,7 @@ test("a robot without odometry, or none at all, has no place that is known", () 
 });
 
 test("where the pad is, as a person would say it, and nothing when it is released", () => {
-  const steers = {
-    ahead: [1, 0], "ahead and left": [0.5, 0.5], left: [0.1, 1], "back and left": [-1, 1], back: [-0.2, 0.01],
-    "back and right": [-1, -1], right: [0, -1], "ahead and right": [1, -1],
-  };
-  for (const [way, command] of Object.entries(steers)) assert.equal(describeSteering(command), `You steer ${way}.`);
+  const commands = [[1, 0], [0.5, 0.5], [0.1, 1], [-1, 1], [-0.2, 0.01], [-1, -1], [0, -1], [1, -1]];
+  assert.deepEqual(commands.map(describeSteering), WAYS.map((way) => `You steer ${way}.`));
   assert.equal(describeSteering([0, 0]), "");
 });
