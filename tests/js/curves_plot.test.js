@@ -113,13 +113,10 @@ test("an axis has all values in it, also those that nobody expects, and some hei
 });
 
 test("the numbers beside an axis are round, in order and few", () => {
-  assert.deepEqual(ticks(-1, 1, 5).map((each, _, all) => axis(each, all)), ["−1.0", "−0.5", "0.0", "0.5", "1.0"]);
-  assert.deepEqual(ticks(0, 7.3, 4).map((each, _, all) => axis(each, all)), ["0", "2", "4", "6"]);
-  assert.deepEqual(ticks(0, 1e14, 4).map((each, _, all) => axis(each, all)), ["0", "5e13", "1e14"]);
-  assert.deepEqual(ticks(-3e-9, 0, 4).map((each, _, all) => axis(each, all)),
-    ["−3e−9", "−2e−9", "−1e−9", "0.000000000"]);
-  assert.deepEqual(ticks(0.301, 0.309, 5).map((each, _, all) => axis(each, all)),
-    ["0.302", "0.304", "0.306", "0.308"]);
+  for (const [low, high, most, numbers] of [
+    [-1, 1, 5, "−1.0 −0.5 0.0 0.5 1.0"], [0, 7.3, 4, "0 2 4 6"], [0, 1e14, 4, "0 5e13 1e14"],
+    [-3e-9, 0, 4, "−3e−9 −2e−9 −1e−9 0.000000000"], [0.301, 0.309, 5, "0.302 0.304 0.306 0.308"],
+  ]) assert.equal(ticks(low, high, most).map((each, _, all) => axis(each, all)).join(" "), numbers);
 });
 
 test("a value is read with as many digits as it deserves", () => {
