@@ -19,7 +19,7 @@ from jetbot.fake import chip_file
 from jetbot.wait import wait_until
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "tests/ros"))
-from processes import end, free_port, start  # noqa: E402
+from processes import children, end, free_port, start  # noqa: E402
 
 # In a launch file: what starts an implementation on the fake bus in a folder.
 DRIVER = ('<include file="$(find jetbot_control_node)/launch/jetbot_controller.launch">'
@@ -62,12 +62,6 @@ def master() -> Iterator[None]:
             require(rosgraph.is_master_online, START_TIMEOUT, "the ROS master did not start")
             rospy.init_node("bench", disable_signals=True)
             yield
-
-
-def children(process: int) -> List[int]:
-    """Return the ids of the processes that this one has started."""
-    return [int(child) for file in Path(f"/proc/{process}/task").glob("*/children")
-            for child in file.read_text().split()]
 
 
 def cpu_time(processes: Iterable[int]) -> float:

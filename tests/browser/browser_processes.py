@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Iterator, List
 
 from jetbot.wait import wait_until
+from processes import children
 
 END_TIMEOUT = 20.0  # s
 
@@ -48,11 +49,7 @@ def send_signal(processes: List[int], signum: int) -> None:
 
 def descendants(pid: int) -> List[int]:
     """Return the ids of the processes that a process has started, and of those that these have."""
-    children = []
-    for file in Path(f"/proc/{pid}/task").glob("*/children"):
-        with suppress(OSError):  # it has just ended
-            children += map(int, file.read_text().split())
-    return [each for child in children for each in [child, *descendants(child)]]
+    return [each for child in children(pid) for each in [child, *descendants(child)]]
 
 
 def is_running(pid: int) -> bool:

@@ -61,9 +61,3 @@ def ancestors(pid: int) -> List[int]:
     """Return the ids of the processes above this one."""
     parent = int(stat(pid)[1])
     return [parent, *ancestors(parent)] if parent else []
-
-
-def children(pid: int) -> List[int]:
-    """Return the ids of the processes that a process has started and that run or are frozen, the newest last."""
-    texts = [read(pid, f"task/{task.name}/children") for task in Path(f"/proc/{pid}/task").glob("*")]
-    return sorted(child for child in map(int, " ".join(texts).split()) if state(child) not in "XZ")

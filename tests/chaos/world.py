@@ -15,12 +15,12 @@ from typing import Callable, Dict, Iterator, List, NamedTuple, Optional, Set, Tu
 
 from link import ISOLATED, Link
 from page import HOST
-from process import Process, ancestors, children, read
+from process import Process, ancestors, read
 
 from jetbot.fake.motors import wheel_speeds
 from jetbot.wait import wait_until
 from jetbot_ros.master import NO_ANSWER, proxy
-from processes import free_port, start
+from processes import children, free_port, start
 
 HERE = Path(__file__).resolve().parent
 START_TIMEOUT = 40.0  # s
@@ -202,7 +202,7 @@ class Scene:
         if known and known.alive():
             return known
         parent = self.find(STARTED_BY[kind], robot)
-        pids = [pid for pid in children(parent.pid) if PROGRAM[kind] in read(pid, "cmdline")] if parent else []
+        pids = [pid for pid in sorted(children(parent.pid)) if PROGRAM[kind] in read(pid, "cmdline")] if parent else []
         command = ("rosrun", "jetbot_control_node", "jetbot_controller.py", f"__ns:={robot}", f"_{self._bus(robot)}")
         self._children[kind, robot] = Process(kind, parent.popen, command, robot, pids[-1]) if pids else None
         return self._children[kind, robot]

@@ -7,6 +7,7 @@ import secrets
 import signal
 import socket
 import subprocess
+from glob import glob
 from pathlib import Path
 from typing import List, Tuple
 
@@ -59,6 +60,15 @@ def end(processes: List[subprocess.Popen], within: float = SHUTDOWN_TIMEOUT) -> 
         except subprocess.TimeoutExpired:
             os.killpg(process.pid, signal.SIGKILL)
             process.wait()
+
+
+def children(pid: int) -> List[int]:
+    """Return the ids of the processes that a process has started, zombies too; none of a thread that ends meanwhile."""
+    found: List[int] = []
+    for file in glob(f"/proc/{pid}/task/*/children"):
+        with contextlib.suppress(OSError):
+            found += map(int, Path(file).read_text().split())
+    return found
 
 
 def free_port() -> int:
