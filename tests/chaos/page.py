@@ -6,47 +6,27 @@ One that drives does so until it is ended; after a break, its finger lifts and p
 these robots have confirmed; with 1 if the cockpit refuses that.
 """
 
-import contextlib
 import os
 import sys
 import threading
-import time
 from pathlib import Path
-from typing import Dict, Sequence
+from typing import Sequence
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "ros"))
-from web_client import Closed, WebSocket, page_headers  # noqa: E402
+from web_client import Page, WebSocket, page_headers  # noqa: E402
 
-PERIOD = 0.05         # s between two commands
-RETRY_INTERVAL = 0.5  # s until a page connects again
+RETRY_INTERVAL = (0.5, 0.5)  # s until a page connects again
 TASK = "metre"
 HOST = "morbot" if "CHAOS_ISOLATED" in os.environ else "localhost"  # by which everybody is the teacher
 
 
 def connect(address: str, port: str, cookie: str) -> WebSocket:
-    return WebSocket(int(port), headers(int(port), cookie), "", address)
+    return WebSocket(int(port), page_headers(int(port), HOST, cookie), "", address)
 
 
-def headers(port: int, cookie: str) -> Dict[str, str]:
-    return page_headers(port, HOST, Cookie=f"jetbot_cockpit_{port}={cookie}")
-
-
-def listen(page: WebSocket, robot: str) -> None:
-    """Answer what the cockpit sends; lift the finger when it says so."""
-    with contextlib.suppress(Closed, OSError, ValueError):
-        while True:
-            message = page.receive()
-            if message["type"] == "lift":
-                print(message["text"], flush=True)
-                page.send({"type": "drive", "robot": robot, "forward": 0.0, "left": 0.0})
-
-
-def drive(page: WebSocket, robot: str, speed: float) -> None:
-    """Drive until the connection is lost."""
-    threading.Thread(target=listen, args=[page, robot], daemon=True).start()
-    while True:
-        page.send({"type": "drive", "robot": robot, "forward": speed, "left": 0.0})
-        time.sleep(PERIOD)
+def print_lift(sentence: dict) -> None:
+    if sentence["type"] == "lift":
+        print(sentence["text"], flush=True)
 
 
 def is_as_wanted(robot: dict, action: str) -> bool:
@@ -77,12 +57,11 @@ def problem_of(message: dict) -> str:
 
 
 def main(address: str, port: str, cookie: str, action: str, *arguments: str) -> None:
-    if action != "drive":
-        return act(connect(address, port, cookie), action, arguments)
-    while True:
-        with contextlib.suppress(Closed, OSError, ValueError, IndexError):
-            drive(connect(address, port, cookie), arguments[0], float(arguments[1]))
-        time.sleep(RETRY_INTERVAL)
+    if action == "drive":
+        page = Page(lambda: connect(address, port, cookie), [float(arguments[1])], RETRY_INTERVAL, True, print_lift)
+        page.press(arguments[0].lstrip("/"))
+        threading.Event().wait()
+    act(connect(address, port, cookie), action, arguments)
 
 
 if __name__ == "__main__":

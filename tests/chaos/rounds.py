@@ -15,13 +15,13 @@ from check import AGAIN, DRIVES, ENDS, HEALS, MAX_AGAIN, STOP_BOUND, obeyed
 from faults import FAULTS
 from history import History, Observer
 from link import ISOLATED
-from page import headers
+from page import HOST
 from plan import PLACES, Event, Plan
 from process import Process
 from world import COMMANDERS, COOKIES, Scene
 
 from jetbot.wait import wait_until
-from web_client import request
+from web_client import page_headers, request
 
 PAGE_TIMEOUT = 2.0   # s until a person takes the terminal instead of the page
 STAYS = 1.0          # s for which a stop is watched without faults
@@ -241,7 +241,7 @@ def saving(scene: Scene, history: History):
     """Let a pupil save a program again and again; at the end, note which version is kept."""
     def ask(do, **fields):
         body = json.dumps({"do": do, "robot": f"/{scene.names[0]}", "id": PROGRAM, **fields}).encode()
-        sent = {**headers(scene.page_port, COOKIES["pupils"]), "Content-Type": "application/json"}
+        sent = {**page_headers(scene.page_port, HOST, COOKIES["pupils"]), "Content-Type": "application/json"}
         with contextlib.suppress(OSError, ValueError, IndexError):
             answer = request(scene.page_port, "POST", "/work", sent, body)
             return json.loads(answer.body) if answer.status == 200 else {}

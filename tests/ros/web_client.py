@@ -1,13 +1,18 @@
 """HTTP and WebSocket by hand: a client that can send what no browser sends."""
 
+import contextlib
+import itertools
 import json
 import os
+import random
 import socket
 import struct
+import threading
 import time
-from typing import Callable, Dict, NamedTuple, Optional, Tuple
+from typing import Callable, Dict, List, NamedTuple, Optional, Sequence, Tuple
 
 TIMEOUT = 20.0  # s
+COMMAND_INTERVAL = 0.05  # s between two commands of a page that drives
 UPGRADE = {"Upgrade": "websocket", "Connection": "Upgrade", "Sec-WebSocket-Version": "13",
            "Sec-WebSocket-Key": "x3JJHMbDL1EzLkh9GBhXDw=="}
 TEXT, CLOSE, PING, PONG = 1, 8, 9, 10
@@ -34,10 +39,14 @@ def connect(port: int, phone: str = "127.0.0.1", host: str = "127.0.0.1", timeou
     return socket.create_connection((host, port), timeout, (phone, 0))
 
 
-def page_headers(port: int, name: str = "localhost", **headers: Optional[str]) -> Dict[str, str]:
-    """Return the headers of a page that was opened by this name, and others: _ stands for -; None leaves one out."""
+def page_headers(port: int, name: str = "localhost", cookie: str = "", **headers: Optional[str]) -> Dict[str, str]:
+    """Return the headers of a page that was opened by this name, and others: _ stands for -; None leaves one out.
+
+    cookie: of a person, or "" for this computer's own browser.
+    """
     host = f"{name}:{port}"
-    given = {"Host": host, "Origin": f"http://{host}", **headers}
+    own = {"Cookie": f"jetbot_cockpit_{port}={cookie}"} if cookie else {}
+    given = {"Host": host, "Origin": f"http://{host}", **own, **headers}
     return {key.replace("_", "-"): value for key, value in given.items() if value is not None}
 
 
@@ -141,3 +150,85 @@ class WebSocket:
 def open_page(port: int, name: str = "localhost") -> WebSocket:
     """Return the socket of a page of this computer that was opened by this name."""
     return WebSocket(port, page_headers(port, name))
+
+
+class Page:
+    """A page that connects again by itself, as www/link.js does, and drives a robot while a finger presses.
+
+    open_socket: connects; speeds: of its commands, in turn; retry_interval: the shortest and the longest, in s;
+    presses_again: whether the finger presses again at once after a lift or a break; show: gets each sentence for the
+    person. state: the newest message of this kind, {} without a connection; said: all sentences; commands: when which
+    speed was sent.
+    """
+
+    def __init__(self, open_socket: Callable[[], WebSocket], speeds: Sequence[float],
+                 retry_interval: Tuple[float, float], presses_again: bool = False,
+                 show: Callable[[dict], object] = lambda sentence: None):
+        self._open_socket, self._speeds, self._retry_interval = open_socket, speeds, retry_interval
+        self._presses_again, self._show = presses_again, show
+        self.state: dict = {}
+        self.said: List[dict] = []
+        self.commands: List[Tuple[float, float]] = []
+        self.lets_go = True
+        self._driven: Optional[str] = None
+        self._socket: Optional[WebSocket] = None
+        self._sending, self._closed = threading.Lock(), threading.Event()
+        for work in self._stay_connected, self._drive:
+            threading.Thread(target=work, daemon=True).start()
+
+    def send(self, **message: object) -> None:
+        """Send a message; not without a connection."""
+        with self._sending, contextlib.suppress(OSError, ValueError, AttributeError):
+            self._socket.send(message)
+
+    def press(self, robot: str, lets_go: bool = True) -> None:
+        """Drive a robot from now on. lets_go: whether the finger lifts when the cockpit asks for it."""
+        self.lets_go, self._driven = lets_go, robot
+
+    def let_go(self) -> None:
+        """Lift the finger."""
+        robot = self._driven
+        self._driven = robot if self._presses_again else None
+        if robot:
+            self.send(type="drive", robot=f"/{robot}", forward=0.0, left=0.0)
+
+    @property
+    def presses(self) -> bool:
+        return self._driven is not None
+
+    def close(self) -> None:
+        """Vanish, as a killed browser does."""
+        self._closed.set()
+        with contextlib.suppress(OSError, AttributeError):
+            self._socket.connection.shutdown(socket.SHUT_RDWR)
+
+    def _stay_connected(self) -> None:
+        while not self._closed.is_set():
+            with contextlib.suppress(Closed, OSError, ValueError, IndexError, RuntimeError):
+                self._socket = self._open_socket()
+                self._receive(self._socket)
+            self.state = {}
+            if self._socket:
+                self._socket.close()
+            self.let_go()
+            self._closed.wait(random.uniform(*self._retry_interval))
+
+    def _receive(self, connection: WebSocket) -> None:
+        while not self._closed.is_set():
+            message = connection.receive()
+            if message["type"] == "state":
+                self.state = message
+            elif message["type"] in ("lift", "notice"):
+                self.said.append(message)
+                self._show(message)
+            if message["type"] == "lift" and self.lets_go and message["robot"] == f"/{self._driven}":
+                self.let_go()
+
+    def _drive(self) -> None:
+        for speed in itertools.cycle(self._speeds):
+            if self._closed.wait(COMMAND_INTERVAL):
+                return
+            robot = self._driven
+            if robot:
+                self.commands.append((time.monotonic(), speed))
+                self.send(type="drive", robot=f"/{robot}", forward=speed, left=0.0)
