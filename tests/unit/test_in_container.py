@@ -17,8 +17,7 @@ JETPACK_4 = 'ID=ubuntu\nID_LIKE=debian\nVERSION_CODENAME=bionic\nPRETTY_NAME="Ub
 UBUNTU_24 = 'ID=ubuntu\nID_LIKE=debian\nUBUNTU_CODENAME=noble\nPRETTY_NAME="Ubuntu 24.04.1 LTS"\n'
 UBUNTU_26 = 'ID=ubuntu\nID_LIKE=debian\nUBUNTU_CODENAME=resolute\nPRETTY_NAME="Ubuntu 26.04 LTS"\n'
 NO_ROS = "morbot: Fedora Linux 40 has no packages of ROS 1; "
-ENGINE = """#!/bin/sh
-echo "${0##*/} $*" >>"$LOG"
+ENGINE = """echo "${0##*/} $*" >>"$LOG"
 case "$1 $2 $4" in
     --version*) %(version)s ;;
     "ps --filter"*) cat "$LOG.running" 2>/dev/null || : ;;
@@ -32,10 +31,9 @@ case "$1 $2 $4" in
 esac
 """
 MISSING = {"version": "exit 127", "ps": ":", "server": "", "build": ":"}
-INSTALL_PODMAN = """#!/bin/sh
-sed -i 's/exit 127/echo podman version 4.9.3/' "${0%apt-get}podman"
-"""
+INSTALL_PODMAN = """sed -i 's/exit 127/echo podman version 4.9.3/' "${0%apt-get}podman\""""
 WORKING = {"version": "echo 'Docker version 24.0.5'", "ps": ":", "server": "24.0.5", "build": ":"}
+PODMAN = {**WORKING, "version": "echo podman version 4.3.1"}
 
 
 @pytest.fixture
@@ -45,12 +43,11 @@ def morbot(tmp_path):
     home.mkdir()
 
     def run(*arguments, system=FEDORA, docker=MISSING, podman=MISSING, uid=1234, **environment):
-        for name, engine in ("docker", docker), ("podman", podman):
-            write_program(tmp_path / name, ENGINE % engine)
-        write_program(tmp_path / "apt-cache", '#!/bin/sh\n[ "$*" = "show podman" ]\n')
-        write_program(tmp_path / "apt-get", INSTALL_PODMAN)
-        write_program(tmp_path / "dpkg-query", "#!/bin/sh\nexit 1\n")
-        write_program(tmp_path / "id", f"#!/bin/sh\n[ $1 = -un ] && echo pupil || echo {uid}\n")
+        for name, body in {"docker": ENGINE % docker, "podman": ENGINE % podman, "apt-get": INSTALL_PODMAN,
+                           "apt-cache": '[ "$*" = "show podman" ]', "dpkg-query": "exit 1",
+                           "id": f"[ $1 = -un ] && echo pupil || echo {uid}"}.items():
+            (tmp_path / name).write_text(f"#!/bin/sh\n{body}\n")
+            (tmp_path / name).chmod(0o755)
         (tmp_path / "os-release").write_text(system)
         log = tmp_path / "log"
         log.write_text("")
@@ -61,11 +58,6 @@ def morbot(tmp_path):
         return process.returncode, process.stdout, log.read_text().splitlines()
 
     return run
-
-
-def write_program(file, text):
-    file.write_text(text)
-    file.chmod(0o755)
 
 
 def words_of(commands, beginning):
@@ -157,7 +149,7 @@ def test_a_jetsons_camera_in_podman(morbot, jetson, tmp_path, folder):
     specification = tmp_path / "host" / folder / "nvidia.yaml"
     specification.parent.mkdir(parents=True)
     specification.write_text("kind: nvidia.com/gpu\n")
-    started = words_of(morbot("shell", podman={**WORKING, "version": "echo podman version 4.9.3"})[2], "podman run")
+    started = words_of(morbot("shell", podman=PODMAN)[2], "podman run")
     assert f" --device nvidia.com/gpu=all --volume {jetson}:{jetson} " in started
 
 
@@ -183,19 +175,18 @@ def test_a_daemon_of_the_camera_that_was_restarted_is_in_a_further_container(mor
 
 
 def test_a_podman_without_root_keeps_the_users_id(morbot):
-    started = words_of(morbot("shell", podman={**WORKING, "version": "echo podman version 4.3.1"})[2], "podman run")
+    started = words_of(morbot("shell", podman=PODMAN)[2], "podman run")
     assert " --user 1234:1234 --userns keep-id --group-add keep-groups " in started
 
 
 def test_a_docker_that_is_podman_is_podman(morbot):
-    podman = {**WORKING, "version": "echo podman version 4.3.1"}
-    assert morbot("shell", docker=podman, podman=podman)[2][-1].startswith("podman exec ")
+    assert morbot("shell", docker=PODMAN, podman=PODMAN)[2][-1].startswith("podman exec ")
 
 
 @pytest.mark.parametrize("system, server, base", [
     (FEDORA, "24.0.5", "docker.io/library/debian:bookworm-slim"),
     (FEDORA, "20.10.5", "docker.io/library/ros:noetic-ros-base-focal"),
-    (JETPACK_4, "20.10.7", "docker.io/library/ros:noetic-ros-base-focal")])
+    (JETPACK_4, "24.0.5", "docker.io/library/ros:noetic-ros-base-focal")])
 def test_the_image_is_one_that_the_docker_can_run(morbot, system, server, base):
     commands = morbot("shell", system=system, docker={**WORKING, "server": server})[2]
     assert f" BASE={base} " in words_of(commands, "docker build")
@@ -207,7 +198,7 @@ def test_the_image_is_one_that_the_docker_can_run(morbot, system, server, base):
      "docker is there, but closed to you: sudo usermod -aG docker pupil, and log in again\n"),
     ({"docker": {**WORKING, "ps": "echo 'Is the docker daemon running?' >&2; exit 1"}},
      "docker is there, but not running: sudo systemctl enable --now docker\n"),
-    ({"podman": {**WORKING, "version": "echo podman version 4.3.1", "ps": "exit 125"}},
+    ({"podman": {**PODMAN, "ps": "exit 125"}},
      "podman is there, but does not work; see: podman ps\n")])
 def test_without_a_container_engine_one_sentence_says_what_to_type(morbot, engines, advice):
     code, printed, commands = morbot("run", **engines)
