@@ -36,7 +36,7 @@ def put(sysfs, **files):
     for name, text in files.items():
         file = sysfs / folders.get(name, "class/hwmon/hwmon1") / name
         file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(text)
+        file.write_bytes(text.encode(errors="surrogateescape"))
 
 
 def on_computer(sysfs):
@@ -44,28 +44,21 @@ def on_computer(sysfs):
     return find_supply(SerialLink("/dev/ttyACM0"), sysfs)
 
 
-def set_bus_voltage(folder, word):
-    chip = folder / "0x41"
+def set_bus_voltage(folder, word, address="0x41"):
+    chip = (folder / "0x41").rename(folder / address)
     chip.write_bytes(chip.read_bytes()[:4] + bytes.fromhex(word) + chip.read_bytes()[6:])
 
 
-@pytest.mark.parametrize("word, volts, percentage", [
-    ("6270", 12.6, 1.0), ("5E88", 12.1, 0.861), ("5E8B", 12.1, 0.861), ("4650", 9.0, 0.0), ("4E20", 10.0, 0.278),
-    ("3E80", 8.0, 0.0), ("7530", 15.0, 1.0)])
-def test_an_ina219_reports_voltage_and_charge_of_three_cells(link, folder, word, volts, percentage):
-    set_bus_voltage(folder, word)
+@pytest.mark.parametrize("address, word, volts, percentage", [
+    ("0x41", "6270", 12.6, 1.0), ("0x41", "5E88", 12.1, 0.861), ("0x41", "5E8B", 12.1, 0.861),
+    ("0x41", "4650", 9.0, 0.0), ("0x41", "4E20", 10.0, 0.278), ("0x41", "3E80", 8.0, 0.0), ("0x41", "7530", 15.0, 1.0),
+    ("0x42", "41A0", 8.4, 1.0), ("0x42", "3840", 7.2, 0.5), ("0x42", "2EE0", 6.0, 0.0), ("0x42", "5E88", 12.1, 0.861)])
+def test_a_pack_has_three_cells_but_that_of_an_ups_module_two_unless_its_voltage_is_higher(
+        link, folder, address, word, volts, percentage):
+    set_bus_voltage(folder, word, address)
     reading = find_supply(link).read()
     assert reading.voltage == pytest.approx(volts)
     assert reading.percentage == pytest.approx(percentage, abs=0.001)
-
-
-@pytest.mark.parametrize("word, percentage", [
-    ("41A0", 1.0), ("3840", 0.5), ("2EE0", 0.0), ("5E88", 0.861)])  # 8.4, 7.2, 6.0 and 12.1 V
-def test_an_ups_module_has_two_cells_unless_its_voltage_is_that_of_three(link, folder, word, percentage):
-    (folder / "0x41").rename(folder / "0x42")
-    chip = folder / "0x42"
-    chip.write_bytes(chip.read_bytes()[:4] + bytes.fromhex(word) + chip.read_bytes()[6:])
-    assert find_supply(link).read().percentage == pytest.approx(percentage, abs=0.001)
 
 
 @pytest.mark.parametrize("word, volts", [("0000", 0.0), ("2710", 5.0)])
@@ -98,10 +91,6 @@ def test_a_motor_board_at_its_address_is_not_asked(link, wire):
     assert wire.bits == []
 
 
-def fail(error):
-    raise error
-
-
 def test_unplugged_it_fails_after_one_try_and_plugged_in_it_is_read_again(link, folder):
     supply = find_supply(link)
     chip = supply.read.args[0]
@@ -115,7 +104,7 @@ def test_unplugged_it_fails_after_one_try_and_plugged_in_it_is_read_again(link, 
 
 
 @pytest.mark.parametrize("transfer, problem", [
-    (lambda: fail(OSError(errno.ETIMEDOUT, "")), "the bus /dev/i2c-1 is stuck"),
+    (Mock(side_effect=OSError(errno.ETIMEDOUT, "")), "the bus /dev/i2c-1 is stuck"),
     (lambda: time.sleep(0.2) or [0x5E, 0x88], "the bus /dev/i2c-1 is too slow to stop the robot in time")])
 def test_a_reading_that_holds_up_the_bus_is_the_last_one(monkeypatch, transfer, problem):
     answers = [lambda: [0x39, 0x9F], *[lambda: [0x5E, 0x88]] * 2, transfer, transfer]
@@ -134,17 +123,13 @@ def test_a_jetson_nano_reports_the_voltage_at_its_input_which_is_no_battery(sysf
     assert (str(supply.read()), supply.sensor) == ("5.06 V", "ina3221x of this computer")
 
 
-@pytest.mark.parametrize("text, undervoltage", [("0\n", False), ("1\n", True)])
-def test_a_raspberry_pi_reports_an_undervoltage(sysfs, text, undervoltage):
-    put(sysfs, name="rpi_volt\n", in0_lcrit_alarm=text)
+@pytest.mark.parametrize("driver, alarm, text, undervoltage", [
+    ("rpi_volt", "in0_lcrit_alarm", "0\n", False), ("rpi_volt", "in0_lcrit_alarm", "1\n", True),
+    ("soctherm_oc", "oc1_event_cnt", "0\n", False), ("soctherm_oc", "oc1_event_cnt", "3\n", True)])
+def test_a_raspberry_pi_and_an_orin_report_an_undervoltage(sysfs, driver, alarm, text, undervoltage):
+    put(sysfs, name=driver + "\n", **{alarm: text})
     reading = on_computer(sysfs).read()
     assert reading.undervoltage is undervoltage and math.isnan(reading.voltage)
-
-
-@pytest.mark.parametrize("count, undervoltage", [("0\n", False), ("3\n", True)])
-def test_an_orin_reports_an_undervoltage_since_its_start(sysfs, count, undervoltage):
-    put(sysfs, name="soctherm_oc\n", oc1_event_cnt=count)
-    assert on_computer(sysfs).read().undervoltage is undervoltage
 
 
 def test_another_sensor_with_such_an_alarm_is_no_supply(sysfs):
@@ -154,9 +139,7 @@ def test_another_sensor_with_such_an_alarm_is_no_supply(sysfs):
 
 @pytest.mark.parametrize("text", ["", "five\n", "-5\n", "99999\n", "\udcff"])
 def test_garbage_in_a_file_is_no_supply(sysfs, text):
-    put(sysfs)
-    put(sysfs, in_voltage0_input="")
-    next(sysfs.rglob("in_voltage0_input")).write_bytes(text.encode(errors="surrogateescape"))
+    put(sysfs, in_voltage0_input=text)
     assert on_computer(sysfs) is None
 
 
