@@ -78,7 +78,6 @@ def test_a_limit_that_is_too_high_for_the_supply_is_named(sensor):
 
 
 def test_what_the_battery_reads_as_the_motors_start_is_not_its_charge(watch, sensor):
-    watch.read(now=0.0)
     start(watch, sensor, volts(9.0), now=1.0)
     assert (watch.dips, watch.settled) == (1, volts(12.0))
     watch.read(now=1.0 + DIP_WITHIN)
@@ -86,15 +85,18 @@ def test_what_the_battery_reads_as_the_motors_start_is_not_its_charge(watch, sen
 
 
 def test_a_battery_that_is_unplugged_has_no_charge_any_more(watch, sensor):
-    watch.read(now=0.0)
     assert watch.settled.battery == {"volts": 12.0, "percent": pytest.approx(83.3, abs=0.1)}
     sensor.reading = JetbotError("no answer from 0x41")
     watch.read(now=1.0)
     assert watch.settled.battery == {}
 
 
-@pytest.mark.parametrize("reading, after", [(volts(11.5), START_DELAY), (volts(11.1), DIP_WITHIN), (volts(0.0), 5.0)])
-def test_what_is_small_or_long_after_the_start_is_no_dip(watch, sensor, reading, after):
+@pytest.mark.parametrize("before, reading, after", [
+    (volts(12.0), volts(11.5), START_DELAY), (volts(12.0), volts(11.1), DIP_WITHIN), (volts(12.0), volts(0.0), 5.0),
+    (Reading(undervoltage=True), Reading(undervoltage=True), START_DELAY)])
+def test_what_is_small_or_long_after_the_start_or_from_before_it_is_no_dip(watch, sensor, before, reading, after):
+    sensor.reading = before
+    watch.read(now=0.5)
     assert start(watch, sensor, reading, now=1.0, after=after) is None
     assert watch.dips == 0
 
@@ -114,12 +116,6 @@ def test_a_raspberry_pi_reports_an_undervoltage_some_seconds_later(watch, sensor
     note = start(watch, sensor, Reading(undervoltage=True), now=1.0, after=ALARM_WITHIN - 0.5)
     assert str(note) == "its supply dips as the motors start: set acceleration_limit:=1"
     assert str(watch) == "undervoltage, by the INA219"
-
-
-def test_an_undervoltage_from_before_the_start_is_no_dip(watch, sensor):
-    sensor.reading = Reading(undervoltage=True)
-    watch.read(now=0.5)
-    assert start(watch, sensor, Reading(undervoltage=True), now=1.0) is None
 
 
 def test_a_sensor_that_is_unplugged_is_reported_and_read_again(watch, sensor):
