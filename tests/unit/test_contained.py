@@ -165,8 +165,8 @@ def test_all_is_stopped_before_the_first_is_killed(monkeypatch):
 
 def test_what_does_not_end_is_named(monkeypatch):
     monkeypatch.setattr(contained, "can_isolate", lambda: False)
-    monkeypatch.setattr(contained, "END_TIMEOUT", 0.1)
     with monkeypatch.context() as patch:
+        patch.setattr(contained, "END_TIMEOUT", 0.1)
         no_signals = {"SIGSTOP": 0, "SIGKILL": 0}  # kill(2)
         patch.setattr(contained, "signal", SimpleNamespace(**{**vars(signal), **no_signals}))
         value, problem = run(os.spawnlp, os.P_NOWAIT, "sleep", "sleep", "60")
