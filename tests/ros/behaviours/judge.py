@@ -41,7 +41,7 @@ live.judge_robots = judge_exactly
 sys.argv = sys.argv[1:]
 runpy.run_path(sys.argv[0], run_name="__main__")
 """  # judge.py, which also prints the score to the last digit
-SPEED, SECONDS = 0.5, 3.3  # of full power; s, for about a metre
+SPEED, DISTANCE = 0.5, 0.98  # of full power; m, after which it is to stop: about a metre with what it rolls on
 SLOW = 0.1                   # of full power
 
 
@@ -65,10 +65,14 @@ class Judge(SharedRobotTest):
         """Fail unless the judge has printed these lines."""
         self.wait_for(lambda: read(judge).splitlines() == [*lines], START_TIMEOUT, f"{lines}")
 
-    def drive(self, seconds):
-        """Command SPEED for so long."""
-        end = rospy.Time.now() + rospy.Duration(seconds)
-        self.wait_for(lambda: self.command(SPEED) or rospy.Time.now() > end, seconds + 5, "the end of the drive")
+    def drive(self, distance):
+        """Command SPEED until the robot has driven so far, in m."""
+        places = self.record("jetbot_simulator/ground_truth", Odometry, lambda message: message.pose.pose.position)
+        self.wait_for(lambda: places, START_TIMEOUT, "the robot's place")
+
+        def driven():
+            return math.hypot(places[-1].x - places[0].x, places[-1].y - places[0].y)
+        self.wait_for(lambda: self.command(SPEED) or driven() > distance, START_TIMEOUT, "the end of the drive")
         self.command(0.0)
 
     def wait_for_last_lines(self, judge, line, before=""):
@@ -104,12 +108,13 @@ class Judge(SharedRobotTest):
         self.wait_for(lambda: courses, START_TIMEOUT, "the course")
         self.assertEqual([each.type for each in courses[-1][1:]], [Marker.LINE_STRIP, Marker.ARROW])
         self.assertAlmostEqual(courses[-1][2].pose.position.x, 2.54, places=2)
-        self.drive(SECONDS)
+        self.drive(DISTANCE)
         self.assertEqual(judge.wait(START_TIMEOUT), 0)
-        exact, score, loss = re.fullmatch(rf"{READY}\n(\d+\.\d+)\nmetre: (\d+\.\d) of 100 points in \d\.\d s\.\n"
-                                   r"(Largest loss: stopped .*)\nDrawing metre\.png \.\.\.\n"
-                                   r"(?:Matplotlib is building .*\n)?Drew metre\.png\.\nWrote marks\.csv\.\n",
-                                   read(judge)).groups()
+        report = (rf"\A{READY}\n(\d+\.\d+)\nmetre: (\d+\.\d) of 100 points in \d\.\d s\.\n"
+                  r"(Largest loss: stopped .*)\nDrawing metre\.png \.\.\.\n"
+                  r"(?:Matplotlib is building .*\n)?Drew metre\.png\.\nWrote marks\.csv\.\n\Z")
+        self.assertRegex(read(judge), report)
+        exact, score, loss = re.search(report, read(judge)).groups()
         values = [{pair.key: pair.value for pair in each.values} for each in states]
         self.assertEqual(list(dict.fromkeys(each["state"] for each in values)), ["ready", "driving", "done"])
         self.assertEqual((values[-1]["score"], values[-1]["driver"], states[-1].message), (score, "=Ada", loss))
