@@ -24,7 +24,7 @@ export function keepShown(kept) {
 
 // What is shown is not sent beside that: what was kept of it earlier would overtake it.
 function forgetAside({ id }) {
-  const [all, others] = [keptAside(), keptAside().filter((each) => each.id !== id)];
+  const all = keptAside(), others = all.filter((each) => each.id !== id);
   if (others.length < all.length) remember(ASIDE, JSON.stringify(others));
 }
 
