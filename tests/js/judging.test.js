@@ -87,35 +87,33 @@ class Page {
   }
 }
 
-// Returns a page in each state of the judging, on which nothing that was sent has not been taken.
-const IN = {
-  asked: (t) => {
-    const page = new Page(t);
-    page.judging.begin("/red", "metre");
-    return page;
-  },
-  waiting: (t) => {
-    const page = IN.asked(t);
-    page.accept();
-    page.take();
-    return page;
-  },
-  driving: (t) => {
-    const page = IN.waiting(t);
-    page.report({ state: "ready" });
-    return page;
-  },
-  ended: (t) => {
-    const page = IN.driving(t);
+// What happens from the press to the program's end, by the state after it
+const WAY = {
+  asked: ({ judging }) => judging.begin("/red", "metre"),
+  waiting: (page) => page.accept(),
+  driving: (page) => page.report({ state: "ready" }),
+  ended: (page) => {
     page.report({ state: "driving" });
     page.end("");
-    return page;
   },
 };
+
+// Returns a page in this state, on which all that was sent has been taken.
+function reach(t, name) {
+  const page = new Page(t);
+  for (const [state, act] of Object.entries(WAY)) {
+    act(page);
+    if (state === name) break;
+  }
+  page.sent = [];
+  return page;
+}
+
 const STATES = ["waiting", "driving", "ended"];
 
 test("the robot stands, goes to the start, the program runs once, and the score is shown", (t) => {
-  const page = IN.asked(t);
+  const page = new Page(t);
+  page.judging.begin("/red", "metre");
   assert.deepEqual(page.take(), [STAND, ASK]);
   page.state();
   page.accept();
@@ -166,7 +164,7 @@ const HERE = { // what happens on this page or to the robot; what is said while 
 for (const [what, [act, ...sentences]] of Object.entries(HERE)) {
   for (const [index, name] of STATES.entries()) {
     test(`${name}, when ${what}, a person reads: ${sentences[index] || "nothing, and it goes on"}`, (t) => {
-      const page = IN[name](t);
+      const page = reach(t, name);
       const { read: { length }, going } = page;
       act(page);
       page.state();
@@ -200,7 +198,7 @@ const REPORTS = { // of the judge, and to whom; what is said in each state, and 
 for (const [what, [report, request, ...said]] of Object.entries(REPORTS)) {
   for (const [index, name] of STATES.entries()) {
     test(`${name}, when the judge ${what}, a person reads: ${said[index] || "nothing, and it goes on"}`, (t) => {
-      const page = IN[name](t);
+      const page = reach(t, name);
       const { read: { length }, going, ends } = page;
       page.report(report, request);
       assert.deepEqual(page.read.slice(length), said[index] ? [said[index]] : []);
@@ -212,30 +210,21 @@ for (const [what, [report, request, ...said]] of Object.entries(REPORTS)) {
 
 for (const name of STATES) {
   test(`${name}: a press begins again, and only the new drive is judged`, (t) => {
-    const page = IN[name](t);
+    const page = reach(t, name);
     page.judging.begin("/red", "square");
     assert.deepEqual([page.name, page.going, page.said], ["waiting", false, STARTING]);
     assert.deepEqual(page.take(), [END, STAND, { ...ASK, task: "square" }]);
+    if (name === "driving") assert.equal(page.ends[0], "Judge me ended this program.");
     page.report(RESULT);
-    page.accept("");
+    page.refuse("The answer to what was asked before.");
     page.report(RESULT);
     page.accept("two");
-    page.report(RESULT);
-    assert.deepEqual([page.name, page.said], ["waiting", STARTING], "the last result comes in meanwhile");
+    for (const report of [RESULT, { state: "ready" }]) page.report(report);
+    assert.deepEqual([page.name, page.said], ["waiting", STARTING], "the last drive's reports come in meanwhile");
     page.report({ state: "ready" }, "two");
     assert.deepEqual([page.name, page.going], ["driving", true]);
   });
 }
-
-test("a program that runs on this page ends at the press, and starts again at the start", (t) => {
-  const page = new Page(t);
-  page.going = true;
-  page.judging.begin("/red", "metre");
-  assert.deepEqual([page.going, page.ends, page.take()], [false, ["Judge me ended this program."], [STAND, ASK]]);
-  page.accept();
-  page.report({ state: "ready" });
-  assert.deepEqual([page.going, page.runs, page.name], [true, 1, "driving"]);
-});
 
 test("a program that drives from elsewhere is named, and kept waiting until the judge is done", (t) => {
   const page = new Page(t);
@@ -258,7 +247,7 @@ test("a program that drives from elsewhere is named, and kept waiting until the 
 });
 
 test("before the cockpit has answered, no judge is read, and nothing of the robot cancels", (t) => {
-  const page = IN.asked(t);
+  const page = reach(t, "asked");
   for (const request of ["", "before"]) {
     for (const state of ["ready", "cancelled", "done"]) page.report({ ...RESULT, state }, request);
   }
@@ -267,30 +256,15 @@ test("before the cockpit has answered, no judge is read, and nothing of the robo
 });
 
 test("a refusal is shown as it is, once, and nothing is asked for", (t) => {
-  const page = IN.asked(t);
-  page.take();
+  const page = reach(t, "asked");
   page.refuse("pupil 2 drives red. Press Judge me again when red is free.");
   page.state();
   assert.deepEqual(page.read.slice(1), ["pupil 2 drives red. Press Judge me again when red is free."]);
   assert.deepEqual([page.name, page.take()], ["idle", []]);
 });
 
-test("of presses and cancels in a row, only the answer to the last press counts", (t) => {
-  const page = IN.asked(t);
-  page.judging.cancel();
-  page.judging.begin("/red", "metre");
-  page.refuse("The first one is refused.");
-  page.accept("");
-  assert.deepEqual([page.name, page.said], ["waiting", STARTING]);
-  page.accept("two");
-  page.report({ state: "ready" }, "one");
-  assert.equal(page.runs, 0);
-  page.report({ state: "ready" }, "two");
-  assert.deepEqual([page.runs, page.name], [1, "driving"]);
-});
-
 test("after a new connection, answers to what was asked before are not waited for", (t) => {
-  const page = IN.asked(t);
+  const page = reach(t, "asked");
   page.judging.cancel("The connection to the cockpit was lost.");
   page.judging.hello();
   page.judging.begin("/red", "metre");
@@ -320,24 +294,14 @@ for (const [sentence, set] of Object.entries(MISSING)) {
   });
 }
 
-const CAUSES = { // why Judge me is refused, until when
-  all_stopped: ({ world }, on) => { world.emergency = on; },
-  stopped: (page, on) => page.be({ stopped: on }),
-  taken: (page, on) => page.be({ held: on ? "robot" : null }),
-  judge_driven: (page, on) => page.be({ driver: on ? { id: 2, name: "Zoë" } : null }),
-  judged_elsewhere: (page, on) => page.be({ task: { state: on ? "ready" : "done" } }),
-};
-for (const [code, set] of Object.entries(CAUSES)) {
-  test(`a refusal is shown until its cause is over, also if its state came a little later: ${code}`, (t) => {
-    const page = IN.asked(t);
-    page.refuse("Why", code);
-    for (const [on, said] of [[false, "Why"], [true, "Why"], [true, "Why"], [false, ""]]) {
-      set(page, on);
-      page.state();
-      assert.equal(page.said, said, String(on));
-    }
-  });
-}
+test("a refusal is shown until its cause is over, also if its state came a little later", (t) => {
+  const page = reach(t, "asked");
+  page.refuse("Why", "stopped"); // all causes: notice.test.js
+  for (const [stopped, said] of [[false, "Why"], [true, "Why"], [true, "Why"], [false, ""]]) {
+    page.state({ stopped });
+    assert.equal(page.said, said, String(stopped));
+  }
+});
 
 const RESULTS = { // what ends a score
   "another program is shown or runs": ({ judging }) => judging.forget(),
@@ -347,7 +311,7 @@ const RESULTS = { // what ends a score
 };
 for (const [what, act] of Object.entries(RESULTS)) {
   test(`a score is shown until ${what}, and no judge hears of what programs do meanwhile`, (t) => {
-    const page = IN.ended(t);
+    const page = reach(t, "ended");
     page.report(RESULT);
     page.judging.paused();
     page.going = true;
@@ -362,7 +326,7 @@ for (const [what, act] of Object.entries(RESULTS)) {
 }
 
 test("a program that ends and has not driven is said, but not before the judge can have seen its drive", (t) => {
-  const page = IN.driving(t);
+  const page = reach(t, "driving");
   page.end("");
   page.clock.freeze(4000);
   page.report({ state: "ready" });

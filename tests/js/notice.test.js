@@ -46,6 +46,8 @@ const REFUSALS = { // the state in which the cockpit refuses it, and one in whic
   stopped: [() => report({ stopped: true })],
   no_answer: [() => report({ answers: false })],
   driven: [() => report({ driver: BOB })],
+  judge_driven: [() => report({ driver: BOB })],
+  judged_elsewhere: [() => report({ task: { state: "ready" } }), () => report({ task: { state: "done" } })],
   taken: [() => report({ held: "robot" })],
   ended: [() => report({}, { robots: [] })],
   teacher_releases: [() => report({}, { emergency: true })],

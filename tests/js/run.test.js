@@ -37,54 +37,78 @@ function answer(page, ready) {
   setTimeout(() => page.run.senses.receive({ type: "program", ready, pose: [0, 0, 0], line: null, wheels: [0, 0] }));
 }
 
-const speeds = ({ sent }) => sent.map(({ forward }) => forward);
+// What a test sees of a page, beside its fields
+const SEEN = {
+  last: ({ sent }) => sent.at(-1).forward, ended: ({ ends }) => ends.map(([sentence]) => sentence).join(),
+  held: ({ run }) => run.held, waitless: ({ run }) => run.waitless, moved: ({ sent }) => sent.some(moves),
+};
+const moves = ({ forward, left }) => forward !== 0 || left !== 0;
+const sees = (expected) => (page) => {
+  const seen = Object.keys(expected).map((key) => [key, SEEN[key]?.(page) ?? page[key]]);
+  assert.deepEqual(Object.fromEntries(seen), expected);
+};
+const printed = (index, low, high) => ({ prints }) => assert.ok(low <= prints[index] && prints[index] < high, prints);
 
-test("a program begins and ends with a stop, and drives for as long as it says", async (t) => {
-  const page = await begin(t, program([drive(0.5, 1), print("done")]));
-  await page.clock.pass(900);
-  assert.deepEqual(page.ends, []);
-  await page.clock.pass(200);
-  assert.deepEqual([page.ends, page.prints], [[["", null]], ["done"]]);
-  const [first, ...others] = speeds(page);
-  assert.deepEqual([first, others.at(-1)], [0, 0]);
-  assert.ok(others.filter((speed) => speed === 0.5).length >= 20);
-});
+// Runs a program; what happens then: ms that pass, what the person presses, or what is seen
+async function play(t, json, given, steps) {
+  const page = await begin(t, json, given);
+  for (const step of steps) {
+    if (typeof step === "number") await page.clock.pass(step);
+    else if (typeof step === "string") page.run[step]();
+    else step(page);
+  }
+  page.run.end("Stopped.");
+}
 
-test("nothing moves before the robot's controller is connected; a program whose robot never is says so", async (t) => {
-  const page = await begin(t, program([drive(0.5, 1)]), { ready: false });
-  await page.clock.pass(3800);
-  assert.deepEqual(page.ends, []);
-  await page.clock.pass(300);
-  assert.deepEqual(page.ends, [["The robot did not get ready in time. Try again, or tell your teacher.", null]]);
-  assert.ok(page.sent.every(({ forward, left }) => !forward && !left));
-});
+const TIME = print(plug("robot_time"));
+const INTERRUPTED = "This page was interrupted, so the robot stopped.";
+const freeze = ({ clock, sent }) => {
+  clock.freeze(400);
+  sent.length = 0;
+};
+const stop = ({ run, sent }) => {
+  run.end("Stopped.");
+  assert.deepEqual(sent.splice(0).at(-1), ZERO);
+};
+const MARKED = { ...plug("math_arithmetic", { A: 1, B: 0 }, { OP: "DIVIDE" }) };
+MARKED.block.id = "here";
 
-test("a pause stops the robot, and takes no time of the program", async (t) => {
-  const page = await begin(t, program([drive(0.5, 1), print(plug("robot_time"))]));
-  await page.clock.pass(400);
-  page.run.pause();
-  assert.deepEqual(page.sent.at(-1), ZERO);
-  await page.clock.pass(5000);
-  assert.deepEqual(page.sent.at(-1), ZERO);
-  page.run.resume();
-  await page.clock.pass(300);
-  assert.equal(speeds(page).at(-1), 0.5);
-  await page.clock.pass(600);
-  assert.ok(Math.abs(page.prints[0] - 1) < 0.1, page.prints[0]);
-});
-
-test("a step runs one block, and the robot stands after it", async (t) => {
-  const page = await begin(t, program([drive(0.5, 0.2), print("done")]), { stepping: true });
-  assert.ok(page.run.held);
-  page.run.step();
-  await page.clock.pass(1000);
-  assert.ok(page.run.held);
-  assert.ok(speeds(page).includes(0.5));
-  assert.deepEqual([page.sent.at(-1), page.prints], [ZERO, []]);
-  page.run.step();
-  await page.clock.pass(100);
-  assert.deepEqual(page.prints, ["done"]);
-});
+const RUNS = { // the blocks, how they are run, and what happens
+  "a program begins and ends with a stop, and drives for as long as it says": [
+    [drive(0.5, 1), print("done")], {}, 900, sees({ ends: [] }), 200, sees({ ends: [["", null]], prints: ["done"] }),
+    ({ sent }) => assert.deepEqual([sent[0], sent.at(-1)], [ZERO, ZERO]),
+    ({ sent }) => assert.ok(sent.filter(({ forward }) => forward === 0.5).length >= 20)],
+  "nothing moves before the robot's controller is connected; a program whose robot never is says so": [
+    [drive(0.5, 1)], { ready: false }, 3800, sees({ ends: [] }), 300,
+    sees({ ended: "The robot did not get ready in time. Try again, or tell your teacher.", moved: false })],
+  "a pause stops the robot, and takes no time of the program": [
+    [drive(0.5, 1), TIME], {}, 400, "pause", sees({ last: 0 }), 5000, sees({ last: 0 }), "resume", 300,
+    sees({ last: 0.5 }), 600, printed(0, 0.9, 1.1)],
+  "a step runs one block, and the robot stands after it": [
+    [drive(0.5, 0.2), print("done")], { stepping: true }, sees({ held: true }), "step", 1000,
+    sees({ held: true, moved: true, last: 0, prints: [] }), "step", 100, sees({ prints: ["done"] })],
+  "a loop that has nothing in it is stepped through, too": [
+    [forever()], { stepping: true }, ...Array(3).fill(["step", 100, sees({ held: true })]).flat()],
+  "a slow program stands for a while before each block, and so does its clock": [
+    [print("a"), TIME], { delay: () => 1000 }, 900, sees({ prints: [] }), 200, sees({ prints: ["a"] }), 1000,
+    printed(1, 0, 0.1)],
+  "a program that is stopped stops the robot at once, and does nothing any more": [
+    [forever(drive(0.5, 1), print("round"))], {}, 500, stop, 3000, sees({ sent: [], prints: [], ended: "Stopped." })],
+  "after the page was frozen a program that drove ends": [
+    [drive(0.5, 30)], {}, 500, freeze, 500, sees({ ended: INTERRUPTED, sent: [ZERO] })],
+  "after the page was frozen a program that drove sends no command, but ends": [
+    [drive(0.5, 30)], {}, 500, freeze, ({ run }) => run.command(0.5, 0), sees({ ended: INTERRUPTED, sent: [ZERO] })],
+  "after the page was frozen a program that waited ends, too": [
+    [block("robot_wait", { SECONDS: 30 })], {}, 500, freeze, 500, sees({ ended: INTERRUPTED, sent: [ZERO] })],
+  "a block that fails stops the robot, and is named": [
+    [block("robot_set", { X: 0.5, Z: 0 }), block("robot_wait", { SECONDS: 0.1 }), print(MARKED)], {}, 300,
+    sees({ ends: [["This block divides by 0.", "here"]], moved: true, last: 0 })],
+  "a program without a block below its start says so, and marks the start": [
+    [], {}, sees({ ends: [['Nothing is below "when the program starts": drag blocks there.', "block 1"]] })],
+};
+for (const [what, [blocks, given, ...steps]] of Object.entries(RUNS)) {
+  test(what, (t) => play(t, program(blocks), given, steps));
+}
 
 test("a step into a loop marks its first block: no two steps look the same", async (t) => {
   const repeat = (id, TIMES, each) => ({ ...block("controls_repeat_ext", { TIMES, DO: body(each) }), id });
@@ -97,63 +121,6 @@ test("a step into a loop marks its first block: no two steps look the same", asy
     places.push(page.run.at);
   }
   assert.deepEqual(places.slice(0, -1), ["outer", "inner", "print", "outer", "inner", "print"]);
-});
-
-test("a loop that has nothing in it is stepped through, too", async (t) => {
-  const page = await begin(t, program([forever()]), { stepping: true });
-  for (let count = 0; count < 3; count += 1) {
-    page.run.step();
-    await page.clock.pass(100);
-    assert.ok(page.run.held);
-  }
-});
-
-test("a slow program stands for a while before each block", async (t) => {
-  const page = await begin(t, program([print("a"), print(plug("robot_time"))]), { delay: () => 1000 });
-  await page.clock.pass(900);
-  assert.deepEqual(page.prints, []);
-  await page.clock.pass(200);
-  assert.deepEqual(page.prints, ["a"]);
-  await page.clock.pass(1000);
-  assert.equal(page.prints.length, 2);
-  assert.ok(page.prints[1] < 0.1, `its clock stands, too: ${page.prints[1]} s`);
-});
-
-test("a program that is stopped stops the robot at once, and does nothing any more", async (t) => {
-  const page = await begin(t, program([forever(drive(0.5, 1), print("round"))]));
-  await page.clock.pass(500);
-  page.run.end("Stopped.");
-  assert.deepEqual(page.sent.at(-1), ZERO);
-  const count = page.sent.length;
-  await page.clock.pass(3000);
-  assert.deepEqual([page.sent.length, page.prints, page.ends], [count, [], [["Stopped.", null]]]);
-});
-
-for (const [what, first, act] of [
-  ["drove ends", drive(0.5, 30), () => {}],
-  ["drove sends no command, but ends", drive(0.5, 30), ({ run }) => run.command(0.5, 0)],
-  ["waited ends, too", block("robot_wait", { SECONDS: 30 }), () => {}],
-]) {
-  test(`after the page was frozen a program that ${what}`, async (t) => {
-    const page = await begin(t, program([first]));
-    await page.clock.pass(500);
-    page.clock.freeze(400);
-    const count = page.sent.length;
-    act(page);
-    await page.clock.pass(500);
-    assert.deepEqual(page.ends, [["This page was interrupted, so the robot stopped.", null]]);
-    assert.deepEqual(page.sent.slice(count), [ZERO]);
-  });
-}
-
-test("a block that fails stops the robot, and is named", async (t) => {
-  const faulty = plug("math_arithmetic", { A: 1, B: 0 }, { OP: "DIVIDE" });
-  faulty.block.id = "here";
-  const moving = [block("robot_set", { X: 0.5, Z: 0 }), block("robot_wait", { SECONDS: 0.1 })];
-  const page = await begin(t, program([...moving, print(faulty)]));
-  await page.clock.pass(300);
-  assert.deepEqual(page.ends, [["This block divides by 0.", "here"]]);
-  assert.deepEqual(page.sent.at(-1), ZERO);
 });
 
 const SET = block("robot_set", { X: 0.5, Z: 0 });
@@ -201,13 +168,6 @@ test("a loop without a wait is reported after a second, until the program waits 
   assert.deepEqual(waitless, [false, true, false]);
 });
 
-test("a program without a block below its start says so, and marks the start", async (t) => {
-  const json = program([]);
-  json.blocks.blocks[0].id = "start";
-  const page = await begin(t, json);
-  assert.deepEqual(page.ends, [['Nothing is below "when the program starts": drag blocks there.', "start"]]);
-});
-
 const NEWS = [ // a run; what is said of it, and whether that is a warning
   [{ held: false, at: null }, "Starting", false],
   [{ held: false, at: "here" }, "Running", false],
@@ -240,27 +200,15 @@ test("an engine that computes for long, or loads, is no interruption of the page
   assert.deepEqual(page.ends, [["", null]]);
 });
 
-test("a text that computes stops its robot after a second, and can go on: its page is not interrupted", async (t) => {
-  const page = await begin(t, COMPUTES);
-  await page.clock.pass(800);
-  assert.equal(speeds(page).at(-1), 0.5);
-  await page.clock.pass(400);
-  assert.deepEqual([page.sent.at(-1), page.ends, page.run.waitless], [ZERO, [], true]);
-  page.run.end("Stopped.");
-});
+test("a text that computes stops its robot after a second, and can go on: its page is not interrupted", (t) => (
+  play(t, COMPUTES, {}, [800, sees({ last: 0.5 }), 400, sees({ last: 0, ends: [], waitless: true })])));
 
-test("a text that is paused drives by none of the commands that it has given meanwhile", async (t) => {
+test("a text that is paused drives by none of the commands that it has given meanwhile", (t) => {
   const engine = { ...COMPUTES, async *run() {
     yield { print: "now" };
     yield { publish: true };
     yield { print: "went on" };
   } };
-  const page = await begin(t, engine, { printed: (run) => run.pause() });
-  await page.clock.pass(300);
-  assert.ok(speeds(page).every((speed) => speed === 0));
-  page.run.resume();
-  await page.clock.pass(100);
-  assert.deepEqual(page.prints, ["now", "went on"]);
-  assert.ok(speeds(page).includes(0.5));
-  page.run.end("Stopped.");
+  return play(t, engine, { printed: (run) => run.pause() }, [300, sees({ moved: false }), "resume", 100,
+    sees({ prints: ["now", "went on"], moved: true })]);
 });

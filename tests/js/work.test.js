@@ -23,10 +23,11 @@ const NO_ROOM = refuse(409, "There is no room.");
 
 const square = (fields) => ({ id: ID.square, robot: "/red", name: "Square", program: text("s"), version: 3,
   deleted: false, ...fields });
+const STAR = square({ id: ID.star, name: "Star", program: text("t") });
 
 // A cockpit with these programs: { id, robot, name, program, version }; the newest change first; and with this class.
 function cockpit(t, programs, classId) {
-  const state = { programs, classId, online: true, refuses: null, conflicts: [] };
+  const state = { programs, classId, online: true, refuses: null, held: null, conflicts: [] };
   const find = (id) => state.programs.find((each) => each.id === id);
   const put = (changed) => {
     state.programs = [changed, ...state.programs.filter(({ id }) => id !== changed.id)];
@@ -43,9 +44,12 @@ function cockpit(t, programs, classId) {
     delete: ({ id }) => put({ ...find(id), deleted: true }),
     restore: ({ id }) => put({ ...find(id), deleted: false }),
   };
-  state.asked = playCockpit(t, (fields) => (!state.online ? LOST : state.refuses ?? answers[fields.do](fields)));
-  state.saves = (...keys) => state.asked.filter((each) => each.do === "save")
-    .map((each) => keys.map((key) => each[key]));
+  state.asked = playCockpit(t, (fields) => {
+    const { held, online, refuses } = state;
+    if (held?.kind !== fields.do) return online ? refuses ?? answers[fields.do](fields) : LOST;
+    state.held = null;
+    return held.promise;
+  });
   state.names = () => state.programs.filter(({ deleted }) => !deleted).map(({ name }) => name).sort();
   return state;
 }
@@ -55,7 +59,6 @@ class Page {
   said = "";
   newer = false;
   rows = []; // of its robot's programs
-  marked = []; // the names of those that are shown
   locked = false;
   changes = 0; // to the robots' programs
 
@@ -80,23 +83,12 @@ class Page {
 
   list(rows) {
     this.rows = rows;
-    this.marked = rows.filter(({ id, version }) => this.work.isShown(id, version)).map(({ name }) => name);
-  }
-
-  get shown() {
-    return [this.name, this.program];
   }
 
   // A person changes what is shown.
   edit(name, program = this.program) {
     Object.assign(this, { name, program });
     this.work.changed();
-  }
-
-  // A person begins a program, and puts blocks into it.
-  make(program, name = "my program") {
-    this.work.add(name, EMPTY);
-    this.edit(this.name, program);
   }
 
   // A state arrives: there are changes to this robot's programs.
@@ -107,378 +99,202 @@ class Page {
 }
 
 // Opens a page beside a cockpit with these programs and this class; listed: and lets it have its robot's first list.
-async function open(t, { has = [square()], classId = null, storage = undefined, listed = true } = {}) {
+async function open(t, { programs = [square()], classId = null, storage = undefined, listed = true } = {}) {
   t.mock.restoreAll(); // what an earlier page has begun
-  const lesson = { clock: new Clock(t), state: cockpit(t, has, classId), page: new Page(storage) };
+  const lesson = { t, clock: new Clock(t), state: cockpit(t, programs, classId), page: new Page(storage) };
   if (listed) await lesson.page.hear();
   return lesson;
 }
 
-test("a page that is opened shows the robot's newest program, which is saved once it is changed", async (t) => {
-  const { clock, state, page } = await open(t, { has: [square({ id: ID.star, deleted: true }), square()] });
-  assert.deepEqual(page.shown, ["Square", text("s")]);
-  await clock.pass(60000);
-  assert.deepEqual(state.saves(), [], "what is only shown is not saved");
-  page.edit("Larger square");
-  await clock.pass(1000);
-  assert.deepEqual(state.saves("id", "version", "name"), [[ID.square, 3, "Larger square"]]);
-});
+// What happens in a lesson, as the steps of a test; a number is the ms that pass
+const edit = (name, program) => ({ page }) => page.edit(name, program);
+const add = (name) => ({ page }) => page.work.add(name, EMPTY);
+const make = (variable, name = "my program") => ({ page }) => {
+  page.work.add(name, EMPTY);
+  page.edit(page.name, text(variable));
+};
+const addFile = (name, program) => ({ page }) => page.work.addFile(name, program);
+const openProgram = (id, version) => ({ page }) => page.work.open(id, version);
+const remove = ({ page }) => page.work.remove(square());
+const undo = (name = "Square") => ({ page }) => page.work.undo(square({ name, deleted: true }));
+const hear = (robot) => ({ page }) => page.hear(robot);
+const there = (fields) => ({ state }) => Object.assign(state, fields); // in the cockpit
+const offline = there({ online: false }), online = there({ online: true });
+const connect = ({ page }) => page.work.connected();
+const reload = (fields = {}) => async (lesson) => {
+  const { t, page: { storage }, state: { programs, classId } } = lesson;
+  Object.assign(lesson, await open(t, { programs, classId, storage, ...fields }));
+};
+const begin = (step) => (lesson) => { // does not wait for the answer
+  void step(lesson);
+  return settled();
+};
+// The next request of a kind is answered by the step answer().
+const hold = (kind) => (lesson) => {
+  const { promise, answer } = later();
+  lesson.answer = answer;
+  lesson.state.held = { kind, promise };
+};
+const answer = (fields) => (lesson) => lesson.answer(fields);
 
-test("what is kept stays as an earlier version of what is to replace it, unless it is not kept yet", async (t) => {
-  const { clock, state, page } = await open(t);
-  page.edit("As text");
-  assert.equal(page.work.keepEarlier(), "Not kept yet");
-  await clock.pass(1000);
-  assert.equal(page.work.keepEarlier(), "");
-  page.edit("As blocks");
-  await clock.pass(1000);
-  assert.deepEqual(state.saves("id", "version", "name"), [[ID.square, 3, "As text"], [ID.square, 0, "As blocks"]]);
-});
+const NAMES = Object.fromEntries(Object.entries(ID).map(([name, id]) => [id, name]));
+const SEEN = { // what a test may look at
+  name: ({ page }) => page.name, program: ({ page }) => page.program, said: ({ page }) => page.said,
+  newer: ({ page }) => page.newer, locked: ({ page }) => page.locked, rows: ({ page }) => page.rows,
+  names: ({ state }) => state.names(), // in the cockpit
+  marked: ({ page }) => page.rows.filter(({ id, version }) => page.work.isShown(id, version)).map(({ name }) => name),
+  saves: ({ state }) => state.asked.filter((each) => each.do === "save")
+    .map(({ robot, id, version, name }) => `${robot} ${NAMES[id] ?? "new"} ${version}: ${name}`),
+  asked: ({ state }) => state.asked.map((each) => each.do).filter((each) => each !== "list"),
+  has: ({ state }) => Object.fromEntries(state.programs.map(({ name, program }) => [name, program])),
+  device: ({ page }) => [...page.storage.values()].join(),
+};
+const sees = (expected) => (lesson) => {
+  assert.deepEqual(Object.fromEntries(Object.keys(expected).map((key) => [key, SEEN[key](lesson)])), expected);
+};
+const keepsNo = (words) => (lesson) => assert.doesNotMatch(SEEN.device(lesson), words);
 
-for (const [does, act, name, saved] of [
-  ["opens an example", ({ work }) => work.add("Zigzag", EMPTY), "Zigzag", []],
-  ["changes something", (page) => page.edit("Mine"), "Mine", [["Mine"]]],
+async function play(t, given, steps) {
+  const lesson = await open(t, given);
+  for (const step of steps) await (typeof step === "number" ? lesson.clock.pass(step) : step(lesson));
+}
+
+const NO_ANSWER = "The cockpit does not answer. The page tries again.";
+const UNLISTED = { listed: false };
+const CLASS = { classId: "a" };
+const LESSONS = {
+  "a page that is opened shows the robot's newest program, which is saved once it is changed": [
+    { programs: [{ ...STAR, deleted: true }, square()] }, sees({ name: "Square", program: text("s") }), 60000,
+    sees({ saves: [] }), edit("Larger square"), 1000, sees({ saves: ["/red square 3: Larger square"] })],
+  "what is kept stays as an earlier version of what is to replace it, unless it is not kept yet": [
+    {}, edit("As text"), ({ page }) => assert.equal(page.work.keepEarlier(), "Not kept yet"), 1000,
+    ({ page }) => assert.equal(page.work.keepEarlier(), ""), edit("As blocks"), 1000,
+    sees({ saves: ["/red square 3: As text", "/red square 0: As blocks"] })],
+  "a file that is opened is kept under a name that the cockpit takes, unless it cannot be shown": [
+    {}, addFile("Bad", BAD), addFile("Square", text("f")), addFile(`${"x".repeat(39)}🙂`, text("f")), 1000,
+    sees({ said: "Kept", has: { Square: text("s"), "Square 2": text("f"), ["x".repeat(39)]: text("f") } })],
+  "of a new program a person reads that it is not kept, and of an opened one nothing": [
+    UNLISTED, sees({ said: NEW }), hear(), sees({ said: "" }), add("Zigzag"), 60000, sees({ said: NEW, saves: [] })],
+  "what could not be sent is there after a reload, and is kept then, on the version of which it was": [
+    {}, offline, edit("Offline"), 600000, sees({ said: NO_ANSWER }),
+    reload({ programs: [square({ version: 4, name: "Theirs" })] }), sees({ name: "Offline" }), 1000,
+    sees({ saves: ["/red square 3: Offline"] })],
+  "after a reload, what the cockpit has kept and is newer there is shown only until the list comes": [
+    {}, edit("Mine"), 1000, reload({ ...UNLISTED, programs: [square({ version: 9, name: "Theirs" })] }),
+    sees({ name: "Mine" }), hear(), sees({ name: "Theirs" })],
+  "after a reload, what was deleted meanwhile is shown only until the list comes": [
+    {}, edit("Mine"), 1000, reload({ ...UNLISTED, programs: [square({ version: 4, deleted: true })] }),
+    sees({ name: "Mine" }), hear(), sees({ name: "my program" })],
+  "a newer version of another page is named while this one is open, and shown when a person wants it": [
+    {}, there({ programs: [square({ version: 5, name: "Theirs" })] }), hear(),
+    sees({ name: "Square", said: "There is a newer version of this program.", newer: true }),
+    ({ page: { work } }) => work.openNewer({ id: ID.square, version: work.kept.state.newer }),
+    sees({ name: "Theirs", said: "", newer: false }), ({ state }) => assert.equal(state.asked.at(-1).version, 5)],
+  "what is made of a version that was replaced while it was opened is saved as one of the newest": [
+    { programs: [square({ version: 6 })] }, add("my program"), openProgram(ID.square, 5), edit("Larger square"), 1000,
+    sees({ saves: ["/red square 6: Larger square"] })],
+  "for another robot its programs are shown, and what waits for the first one is kept for that": [
+    { programs: [square({ robot: "/blue" })] }, edit("Mine"), hear("/blue"), sees({ name: "Square" }),
+    edit("Blue"), 1000, sees({ saves: ["/red new 0: Mine", "/blue square 3: Blue"] })],
+  "what the cockpit has refused is shown again for its robot, and named while another is shown": [
+    { programs: [] }, edit("Mine"), there({ refuses: NO_ROOM }), add("my program"), settled,
+    sees({ said: "Mine: There is no room." }), edit("Second"), 1000, sees({ said: "There is no room." }),
+    hear("/blue"), sees({ said: NEW }), there({ refuses: null }), hear("/red"), sees({ name: "Second" }), 1000,
+    sees({ names: ["Second"] })],
+  "what is said of a program that is not shown goes once that is kept": [
+    {}, offline, edit("Mine"), add("Other"), settled, sees({ said: `Mine: ${NO_ANSWER}` }), online, 3000,
+    sees({ names: ["Mine"], said: NEW })],
+  "a program that comes after another robot was chosen is not shown there": [
+    {}, add("my program"), hold("open"), begin(openProgram(ID.square)), hear("/blue"), answer(square()),
+    sees({ name: "my program" })],
+  "a list that comes after another robot was chosen is not shown there": [
+    {}, add("my program"), hold("list"), hear(), hear("/blue"), answer({ programs: [square()] }), sees({ rows: [] })],
+  "a list that does not come is asked for again with the next state": [
+    UNLISTED, offline, hear(), online, ({ page }) => page.work.update("/red", page.changes), settled,
+    sees({ name: "Square" })],
+  "what cannot be shown changes neither what is shown nor where that is kept": [
+    { programs: [square(), { ...STAR, program: BAD }] }, openProgram(ID.star), edit("Larger square"), 1000,
+    sees({ saves: ["/red square 3: Larger square"] })],
+  "what is to look at only is locked and never saved; what is shown next is not locked": [
+    { programs: [square({ robot: "/blue" })] }, ({ page }) => page.work.look({ robot: "/blue", id: ID.square }),
+    sees({ locked: true, said: "You can look at this program, but not change it." }), hear(), edit("Changed"), 1000,
+    sees({ saves: [] }), add("my program"), sees({ locked: false })],
+  "a change comes before the person's Delete, and does not bring the program back after it": [
+    {}, edit("Last change"), remove, 60000, sees({ asked: ["open", "save", "delete"] }), edit("A new one"), 1000,
+    sees({ saves: ["/red square 3: Last change", "/red new 0: A new one"] })],
+  "for a program that is deleted the newest other one is shown, and it stays after Undo": [
+    { programs: [square(), STAR] }, remove, settled, sees({ name: "Star", program: text("t"), marked: ["Star"] }),
+    undo(), edit("Larger star"), 1000,
+    sees({ saves: ["/red star 3: Larger star"], names: ["Larger star", "Square"] })],
+  "Undo shows the only program again, and a change of it makes no second one": [
+    {}, remove, sees({ name: "my program", program: EMPTY }), undo(), sees({ name: "Square", marked: ["Square"] }),
+    edit("Square", text("larger")), 1000, sees({ names: ["Square"] })],
+  "what has a deleted program's name keeps it, and Undo brings that one back under a free one": [
+    { programs: [square({ name: "my program" })] }, remove, edit("my program", text("new")), undo("my program"), 1000,
+    sees({ name: "my program", program: text("new"), has: { "my program": text("new"), "my program 2": text("s") } })],
+  "a change that the cockpit has refused goes with the program when a person deletes that": [
+    {}, there({ refuses: NO_ROOM }), edit("Larger square"), 1000, there({ refuses: null }), remove,
+    sees({ name: "my program" }), reload(), 60000, sees({ name: "my program", names: [] })],
+  "a change that was not sent waits on the device while another class has its lesson": [
+    CLASS, offline, make("a"), 2000, reload({ programs: [], classId: "b" }), 60000,
+    sees({ name: "my program", said: WAITS, program: EMPTY, names: [] }),
+    ({ page: { storage } }) => assert.equal(new Page(storage).program, EMPTY, "also without the cockpit"),
+    reload({ ...CLASS, programs: [square()] }), 60000, sees({ program: text("a"), names: ["Square", "my program"] })],
+  "what waits for a class is sent once that is back; what was made meanwhile has a free name there": [
+    { ...CLASS, programs: [square({ name: "Zigzag" })] }, offline, make("changed", "Zigzag"), 2000,
+    there({ programs: [], classId: null, online: true }), 3000, hear(),
+    sees({ name: "my program", said: WAITS, has: {} }), make("z", "Zigzag"), 1000,
+    there({ ...CLASS, programs: [square({ name: "Zigzag" })] }), hear(), 1000,
+    sees({ name: "Zigzag 3", program: text("z"),
+      has: { Zigzag: text("s"), "Zigzag 2": text("changed"), "Zigzag 3": text("z") } }),
+    keepsNo(/"unsaved":true/)],
+  "what its class has once that was back is not sent again after a reload": [
+    CLASS, edit("Mine"), there({ classId: null, programs: [] }), hear(), 3000,
+    there({ ...CLASS, programs: [square()] }), hear(), 3000, sees({ names: ["Mine"] }),
+    reload({ programs: [square({ name: "Theirs", version: 9 })] }), 60000, sees({ name: "Theirs", names: ["Theirs"] })],
+  "a deleted program that has made room for others is not sent again": [
+    CLASS, edit("Mine"), 1000, there({ programs: [] }), hear(), 60000, sees({ name: "Mine", has: {} })],
+};
+for (const [what, [given, ...steps]] of Object.entries(LESSONS)) test(what, (t) => play(t, given, steps));
+
+for (const [does, act, name, saves] of [
+  ["opens an example", add("Zigzag"), "Zigzag", []],
+  ["changes something", edit("Mine"), "Mine", ["/red new 0: Mine"]],
   ["does nothing", () => {}, "Square", []],
 ]) {
-  test(`before the first list comes, a person ${does}: the page shows ${name}`, async (t) => {
-    const { clock, state, page } = await open(t, { listed: false });
-    act(page);
-    await page.hear();
-    await clock.pass(1000);
-    assert.deepEqual([page.name, state.saves("name")], [name, saved]);
-  });
+  test(`before the first list comes, a person ${does}: the page shows ${name}`, (t) => play(t, UNLISTED, [
+    act, hear(), 1000, sees({ name, saves })]));
 
-  test(`while the newest program is fetched, a person ${does}: the page shows ${name}`, async (t) => {
-    const { state, page } = await open(t, { listed: false });
-    const { promise, answer } = later();
-    const listed = page.hear();
-    state.refuses = promise;
-    await listed;
-    state.refuses = null;
-    act(page);
-    await page.hear();
-    await answer(square());
-    assert.equal(page.name, name);
-  });
+  test(`while the newest program is fetched, a person ${does}: the page shows ${name}`, (t) => play(t, UNLISTED, [
+    hold("open"), hear(), act, hear(), answer(square()), sees({ name })]));
 }
 
-test("a file that is opened is kept under a name that the cockpit takes, unless it cannot be shown", async (t) => {
-  const { clock, state, page } = await open(t);
-  page.work.addFile("Bad", BAD);
-  for (const name of ["Square", `${"x".repeat(39)}🙂`]) page.work.addFile(name, text("f"));
-  await clock.pass(1000);
-  assert.deepEqual(state.saves("name", "program"), [["Square 2", text("f")], ["x".repeat(39), text("f")]]);
-  assert.equal(page.said, "Kept");
-});
-
-test("of a new program a person reads that it is not kept, and of an opened one nothing", async (t) => {
-  const { clock, state, page } = await open(t, { listed: false });
-  assert.equal(page.said, NEW);
-  await page.hear();
-  assert.equal(page.said, "");
-  page.work.add("Zigzag", EMPTY);
-  await clock.pass(60000);
-  assert.deepEqual([page.said, state.saves()], [NEW, []]);
-});
-
-for (const online of [true, false]) {
-  test(`new programs are numbered, also if the one before is not in the list yet: online ${online}`, async (t) => {
-    const { clock, state, page } = await open(t, { has: [square({ name: "my program" })] });
-    state.online = online;
-    page.work.add("my program", EMPTY);
-    for (const variable of ["a", "b", "c"]) page.make(text(variable));
-    assert.equal(page.name, "my program 4", "one that is not changed is not kept, and has no name of its own");
-    state.online = true;
-    await clock.pass(4000);
-    assert.deepEqual(state.names(), ["my program", "my program 2", "my program 3", "my program 4"]);
-  });
+for (const connection of [online, offline]) {
+  test(`new programs are numbered, also if the one before is not in the list yet: ${connection === online}`, (t) => (
+    play(t, { programs: [square({ name: "my program" })] }, [connection, add("my program"), make("a"), make("b"),
+      make("c"), sees({ name: "my program 4" }), online, 4000,
+      sees({ names: ["my program", "my program 2", "my program 3", "my program 4"] })])));
 }
-
-test("what could not be sent is there after a reload, and is kept then, on the version of which it was", async (t) => {
-  const { clock, state, page } = await open(t);
-  state.online = false;
-  page.edit("Offline");
-  await clock.pass(600000);
-  assert.equal(page.said, "The cockpit does not answer. The page tries again.");
-  const again = await open(t, { storage: page.storage, has: [square({ version: 4, name: "Theirs" })] });
-  assert.equal(again.page.name, "Offline");
-  await again.clock.pass(1000);
-  assert.deepEqual(again.state.saves("id", "version", "name"), [[ID.square, 3, "Offline"]]);
-});
-
-for (const [what, theirs, name] of [["is newer there", { version: 9, name: "Theirs" }, "Theirs"],
-  ["was deleted meanwhile", { version: 4, name: "Mine", deleted: true }, "my program"]]) {
-  test(`after a reload, what the cockpit has kept and ${what} is shown only until the list comes`, async (t) => {
-    const { clock, page } = await open(t);
-    page.edit("Mine");
-    await clock.pass(1000);
-    const { page: again } = await open(t, { storage: page.storage, has: [square(theirs)], listed: false });
-    assert.equal(again.name, "Mine");
-    await again.hear();
-    assert.equal(again.name, name);
-  });
-}
-
-test("a newer version of another page is named while this one is open, and shown when a person wants it", async (t) => {
-  const { state, page } = await open(t);
-  state.programs = [square({ version: 5, name: "Theirs" })];
-  await page.hear();
-  assert.deepEqual([page.name, page.said, page.newer], ["Square", "There is a newer version of this program.", true]);
-  await page.work.openNewer({ id: ID.square, version: page.work.kept.state.newer });
-  assert.deepEqual([page.name, page.said, page.newer, state.asked.at(-1).version], ["Theirs", "", false, 5]);
-});
-
-test("what is made of a version that was replaced while it was opened is saved as one of the newest", async (t) => {
-  const { clock, state, page } = await open(t, { has: [square({ version: 6 })] });
-  page.work.add("my program", EMPTY);
-  await page.work.open(ID.square, 5);
-  page.edit("Larger square");
-  await clock.pass(1000);
-  assert.deepEqual(state.saves("version"), [[6]]);
-});
 
 for (const [what, classId] of [["has nothing", null], ["has a class now", "a"]]) {
-  test(`a cockpit without a class that was started again, and ${what}, gets what is shown`, async (t) => {
-    const { clock, state, page } = await open(t);
-    page.edit("Mine");
-    await clock.pass(1000);
-    Object.assign(state, { programs: [], classId });
-    page.work.connected();
-    await page.hear();
-    await clock.pass(1000);
-    assert.deepEqual([state.names(), page.name], [["Mine"], "Mine"]);
-    assert.equal([...page.storage.values()].filter((each) => each.includes("Mine")).length, 1);
-  });
+  test(`a cockpit without a class that was started again, and ${what}, gets what is shown`, (t) => play(t, {}, [
+    edit("Mine"), 1000, there({ programs: [], classId }), connect, hear(), 1000,
+    sees({ names: ["Mine"], name: "Mine" }),
+    ({ page }) => assert.equal([...page.storage.values()].filter((each) => each.includes("Mine")).length, 1)]));
 }
 
-test("for another robot its programs are shown, and what waits for the first one is kept for that", async (t) => {
-  const { clock, state, page } = await open(t, { has: [square({ robot: "/blue" })] });
-  page.edit("Mine");
-  await page.hear("/blue");
-  assert.equal(page.name, "Square");
-  page.edit("Blue");
-  await clock.pass(1000);
-  assert.deepEqual(state.saves("robot", "name"), [["/red", "Mine"], ["/blue", "Blue"]]);
-});
-
-test("what the cockpit has refused is shown again for its robot, and named while another is shown", async (t) => {
-  const { clock, state, page } = await open(t, { has: [] });
-  page.edit("Mine");
-  state.refuses = NO_ROOM;
-  page.work.add("my program", EMPTY);
-  await settled();
-  assert.equal(page.said, "Mine: There is no room.");
-  page.edit("Second");
-  await clock.pass(1000);
-  assert.equal(page.said, "There is no room.");
-  await page.hear("/blue");
-  assert.equal(page.said, NEW, "and not beside another robot's");
-  state.refuses = null;
-  await page.hear("/red");
-  assert.equal(page.name, "Second");
-  await clock.pass(1000);
-  assert.deepEqual(state.names(), ["Second"]);
-});
-
-test("what is said of a program that is not shown goes once that is kept", async (t) => {
-  const { clock, state, page } = await open(t);
-  state.online = false;
-  page.edit("Mine");
-  page.work.add("Other", EMPTY);
-  await settled();
-  assert.equal(page.said, "Mine: The cockpit does not answer. The page tries again.");
-  state.online = true;
-  await clock.pass(3000);
-  assert.deepEqual([state.saves("name").at(-1), page.said], [["Mine"], NEW]);
-});
-
-for (const [what, ask] of [["program", ({ work }) => work.open(ID.square)], ["list", (page) => page.hear()]]) {
-  test(`a ${what} that comes after another robot was chosen is not shown there`, async (t) => {
-    const { state, page } = await open(t);
-    page.work.add("my program", EMPTY);
-    const { promise, answer } = later();
-    state.refuses = promise;
-    const asked = ask(page);
-    await settled();
-    state.refuses = null;
-    await page.hear("/blue");
-    await answer({ ...square(), programs: [square()] });
-    await asked;
-    assert.deepEqual([page.name, page.rows], ["my program", []]);
-  });
+for (const [what, name, next] of [
+  ["stays open", "Square", () => {}], ["has changed one and stays open", "Kept", () => {}],
+  ["is opened again", "Kept", reload(UNLISTED)]]) {
+  test(`once a class was deleted, a page that ${what} neither shows nor sends its programs`, (t) => play(t, CLASS, [
+    edit(name), 1000, there({ programs: [], classId: "b" }), next, connect, hear(), 60000,
+    sees({ name: "my program", program: EMPTY, has: {} }), keepsNo(/Kept|Square/), edit("New"), 1000,
+    sees({ names: ["New"] })]));
 }
-
-test("a list that does not come is asked for again with the next state", async (t) => {
-  const { state, page } = await open(t, { listed: false });
-  state.online = false;
-  await page.hear();
-  state.online = true;
-  page.work.update("/red", page.changes);
-  await settled();
-  assert.equal(page.name, "Square");
-});
-
-test("what cannot be shown changes neither what is shown nor where that is kept", async (t) => {
-  const { clock, state, page } = await open(t, { has: [square(), square({ id: ID.star, program: BAD })] });
-  await page.work.open(ID.star);
-  page.edit("Larger square");
-  await clock.pass(1000);
-  assert.deepEqual(state.saves("id", "name"), [[ID.square, "Larger square"]]);
-});
-
-test("what is to look at only is locked and never saved; what is shown next is not locked", async (t) => {
-  const { clock, state, page } = await open(t, { has: [square({ robot: "/blue" })] });
-  await page.work.look({ robot: "/blue", id: ID.square });
-  assert.deepEqual([page.locked, page.said], [true, "You can look at this program, but not change it."]);
-  await page.hear();
-  page.edit("Changed");
-  await clock.pass(1000);
-  assert.deepEqual(state.saves(), []);
-  page.work.add("my program", EMPTY);
-  assert.equal(page.locked, false);
-});
-
-test("a change comes before the person's Delete, and does not bring the program back after it", async (t) => {
-  const { clock, state: { asked }, page } = await open(t);
-  page.edit("Last change");
-  await page.work.remove(square());
-  await clock.pass(60000);
-  assert.deepEqual(asked.map((each) => each.do).filter((each) => each !== "list").slice(-2), ["save", "delete"]);
-  page.edit("A new one");
-  await clock.pass(1000);
-  assert.notEqual(asked.at(-1).id, ID.square);
-});
-
-test("for a program that is deleted the newest other one is shown, and it stays after Undo", async (t) => {
-  const { clock, state, page } = await open(t, {
-    has: [square(), square({ id: ID.star, name: "Star", program: text("t") })] });
-  await page.work.remove(square());
-  await settled();
-  assert.deepEqual([page.shown, page.marked], [["Star", text("t")], ["Star"]]);
-  await page.work.undo(square({ deleted: true }));
-  page.edit("Larger star");
-  await clock.pass(1000);
-  assert.deepEqual([state.saves("id", "name"), state.names()],
-    [[[ID.star, "Larger star"]], ["Larger star", "Square"]]);
-});
-
-test("Undo shows the only program again, and a change of it makes no second one", async (t) => {
-  const { clock, state, page } = await open(t);
-  await page.work.remove(square());
-  assert.deepEqual(page.shown, ["my program", EMPTY]);
-  await page.work.undo(square({ deleted: true }));
-  assert.deepEqual([page.name, page.marked], ["Square", ["Square"]]);
-  page.edit("Square", text("larger"));
-  await clock.pass(1000);
-  assert.deepEqual(state.names(), ["Square"]);
-});
-
-test("what has a deleted program's name keeps it, and Undo brings that one back under a free one", async (t) => {
-  const { clock, state, page } = await open(t, { has: [square({ name: "my program" })] });
-  await page.work.remove(square());
-  page.edit("my program", text("new"));
-  await page.work.undo(square({ name: "my program", deleted: true }));
-  await clock.pass(1000);
-  assert.deepEqual(page.shown, ["my program", text("new")]);
-  assert.deepEqual(state.names(), ["my program", "my program 2"]);
-  assert.equal(state.programs.find(({ id }) => id === ID.square).program, text("s"));
-});
-
-test("a change that the cockpit has refused goes with the program when a person deletes that", async (t) => {
-  const { clock, state, page } = await open(t);
-  state.refuses = NO_ROOM;
-  page.edit("Larger square");
-  await clock.pass(1000);
-  state.refuses = null;
-  await page.work.remove(square());
-  const again = await open(t, { storage: page.storage, has: state.programs });
-  await again.clock.pass(60000);
-  assert.deepEqual([page.name, again.page.name, again.state.names()], ["my program", "my program", []]);
-});
-
-for (const [what, name, reopen] of [["stays open", "Square", async (page) => page],
-  ["has changed one and stays open", "Kept", async (page) => page],
-  ["is opened again", "Kept", async ({ storage }) => new Page(storage)]]) {
-  test(`once a class was deleted, a page that ${what} neither shows nor sends its programs`, async (t) => {
-    const { clock, state, page } = await open(t, { classId: "a" });
-    page.edit(name);
-    await clock.pass(1000);
-    Object.assign(state, { programs: [], classId: "b" });
-    const after = await reopen(page);
-    after.work.connected();
-    after.work.update("/red", page.changes);
-    await clock.pass(60000);
-    assert.deepEqual([after.shown, state.programs], [["my program", EMPTY], []]);
-    assert.doesNotMatch([...after.storage.values()].join(), /Kept|Square/, "nor does the device keep them");
-    after.edit("New");
-    await clock.pass(1000);
-    assert.deepEqual(state.names(), ["New"]);
-  });
-}
-
-test("a change that was not sent waits on the device while another class has its lesson", async (t) => {
-  const { clock, state, page: { work, storage }, page } = await open(t, { classId: "a" });
-  state.online = false;
-  work.add("my program", EMPTY);
-  page.edit("Before the bell");
-  await clock.pass(2000);
-  const other = await open(t, { storage, has: [], classId: "b" });
-  await other.clock.pass(60000);
-  assert.deepEqual([other.page.name, other.page.said, other.state.names()], ["my program", WAITS, []]);
-  assert.equal(new Page(storage).name, "my program", "also without the cockpit");
-  const own = await open(t, { storage, classId: "a" });
-  await own.clock.pass(60000);
-  assert.deepEqual([own.page.name, own.state.names()], ["Before the bell", ["Before the bell", "Square"]]);
-});
-
-test("what waits for a class is sent once that is back; what was made meanwhile has a free name there", async (t) => {
-  const { clock, state, page } = await open(t, { has: [square({ name: "Zigzag" })], classId: "a" });
-  const own = state.programs;
-  state.online = false;
-  page.make(text("changed"), "Zigzag");
-  await clock.pass(2000);
-  Object.assign(state, { programs: [], classId: null, online: true });
-  await clock.pass(3000);
-  await page.hear();
-  assert.deepEqual([page.name, page.said, state.programs], ["my program", WAITS, []]);
-  page.make(text("z"), "Zigzag");
-  await clock.pass(1000);
-  Object.assign(state, { programs: own, classId: "a" });
-  await page.hear();
-  await clock.pass(1000);
-  assert.deepEqual(state.programs.map(({ name, program }) => [name, program]).sort(),
-    [["Zigzag 2", text("changed")], ["Zigzag 3", text("z")], ["Zigzag", text("s")]]);
-  assert.deepEqual(page.shown, ["Zigzag 3", text("z")]);
-  assert.doesNotMatch([...page.storage.values()].join(), /"unsaved":true/, "nothing waits any more");
-});
-
-test("what its class has once that was back is not sent again after a reload", async (t) => {
-  const { clock, state, page } = await open(t, { classId: "a" });
-  page.edit("Mine");
-  for (const [classId, programs] of [[null, []], ["a", state.programs]]) {
-    Object.assign(state, { classId, programs });
-    await page.hear();
-    await clock.pass(3000);
-  }
-  assert.deepEqual(state.names(), ["Mine"]);
-  const again = await open(t, { storage: page.storage, has: [square({ name: "Theirs", version: 9 })], classId: "a" });
-  await again.clock.pass(60000);
-  assert.deepEqual([again.page.name, again.state.names()], ["Theirs", ["Theirs"]]);
-});
-
-test("a deleted program that has made room for others is not sent again", async (t) => {
-  const { clock, state, page } = await open(t, { classId: "a" });
-  page.edit("Mine");
-  await clock.pass(1000);
-  state.programs = [];
-  await page.hear();
-  await clock.pass(60000);
-  assert.deepEqual([page.name, state.programs], ["Mine", []]);
-});
 
 // Plays a person's lesson with what is drawn; returns the cockpit's programs, and what they made last.
 async function live(t, draw) {
-  let { clock, state, page } = await open(t, { has: [], classId: "a", listed: false });
+  let { clock, state, page } = await open(t, { programs: [], classId: "a", listed: false });
   let robot = null;
   const [made, conflicts] = [new Map(), []];
   const acts = {
@@ -494,7 +310,7 @@ async function live(t, draw) {
     async reload() {
       await settled();
       conflicts.push(...state.conflicts);
-      ({ clock, state, page } = await open(t, { ...page, has: state.programs, classId: "a", listed: false }));
+      ({ clock, state, page } = await open(t, { ...page, programs: state.programs, classId: "a", listed: false }));
     },
   };
   for (let step = 0; step < 30; step += 1) await Object.values(acts)[draw(7)]();
