@@ -9,6 +9,7 @@ import { Run } from "#www/program/run.js";
 
 import { Clock } from "./clock.js";
 import { block, body, forever, plug, print, program, set } from "./programs.js";
+import { play, sight } from "./steps.js";
 
 const ROBOT = { id: "/red", wheel_separation: 2, max_speed: 1 };
 const drive = (X, SECONDS) => block("robot_drive", { X, SECONDS });
@@ -37,28 +38,20 @@ function answer(page, ready) {
   setTimeout(() => page.run.senses.receive({ type: "program", ready, pose: [0, 0, 0], line: null, wheels: [0, 0] }));
 }
 
-// What a test sees of a page, beside its fields
-const SEEN = {
+const sees = sight({
   last: ({ sent }) => sent.at(-1).forward, ended: ({ ends }) => ends.map(([sentence]) => sentence).join(),
   held: ({ run }) => run.held, waitless: ({ run }) => run.waitless, moved: ({ sent }) => sent.some(moves),
-};
+});
 const moves = ({ forward, left }) => forward !== 0 || left !== 0;
-const sees = (expected) => (page) => {
-  const seen = Object.keys(expected).map((key) => [key, SEEN[key]?.(page) ?? page[key]]);
-  assert.deepEqual(Object.fromEntries(seen), expected);
-};
 const printed = (index, low, high) => ({ prints }) => assert.ok(low <= prints[index] && prints[index] < high, prints);
 
-// Runs a program; what happens then: ms that pass, what the person presses, or what is seen
-async function play(t, json, given, steps) {
+async function perform(t, json, given, steps) {
   const page = await begin(t, json, given);
-  for (const step of steps) {
-    if (typeof step === "number") await page.clock.pass(step);
-    else if (typeof step === "string") page.run[step]();
-    else step(page);
-  }
+  await play(page, steps);
   page.run.end("Stopped.");
 }
+
+const pause = ({ run }) => run.pause(), resume = ({ run }) => run.resume(), step = ({ run }) => run.step();
 
 const TIME = print(plug("robot_time"));
 const INTERRUPTED = "This page was interrupted, so the robot stopped.";
@@ -82,13 +75,13 @@ const RUNS = { // the blocks, how they are run, and what happens
     [drive(0.5, 1)], { ready: false }, 3800, sees({ ends: [] }), 300,
     sees({ ended: "The robot did not get ready in time. Try again, or tell your teacher.", moved: false })],
   "a pause stops the robot, and takes no time of the program": [
-    [drive(0.5, 1), TIME], {}, 400, "pause", sees({ last: 0 }), 5000, sees({ last: 0 }), "resume", 300,
+    [drive(0.5, 1), TIME], {}, 400, pause, sees({ last: 0 }), 5000, sees({ last: 0 }), resume, 300,
     sees({ last: 0.5 }), 600, printed(0, 0.9, 1.1)],
   "a step runs one block, and the robot stands after it": [
-    [drive(0.5, 0.2), print("done")], { stepping: true }, sees({ held: true }), "step", 1000,
-    sees({ held: true, moved: true, last: 0, prints: [] }), "step", 100, sees({ prints: ["done"] })],
+    [drive(0.5, 0.2), print("done")], { stepping: true }, sees({ held: true }), step, 1000,
+    sees({ held: true, moved: true, last: 0, prints: [] }), step, 100, sees({ prints: ["done"] })],
   "a loop that has nothing in it is stepped through, too": [
-    [forever()], { stepping: true }, ...Array(3).fill(["step", 100, sees({ held: true })]).flat()],
+    [forever()], { stepping: true }, ...Array(3).fill([step, 100, sees({ held: true })]).flat()],
   "a slow program stands for a while before each block, and so does its clock": [
     [print("a"), TIME], { delay: () => 1000 }, 900, sees({ prints: [] }), 200, sees({ prints: ["a"] }), 1000,
     printed(1, 0, 0.1)],
@@ -107,7 +100,7 @@ const RUNS = { // the blocks, how they are run, and what happens
     [], {}, sees({ ends: [['Nothing is below "when the program starts": drag blocks there.', "block 1"]] })],
 };
 for (const [what, [blocks, given, ...steps]] of Object.entries(RUNS)) {
-  test(what, (t) => play(t, program(blocks), given, steps));
+  test(what, (t) => perform(t, program(blocks), given, steps));
 }
 
 test("a step into a loop marks its first block: no two steps look the same", async (t) => {
@@ -201,7 +194,7 @@ test("an engine that computes for long, or loads, is no interruption of the page
 });
 
 test("a text that computes stops its robot after a second, and can go on: its page is not interrupted", (t) => (
-  play(t, COMPUTES, {}, [800, sees({ last: 0.5 }), 400, sees({ last: 0, ends: [], waitless: true })])));
+  perform(t, COMPUTES, {}, [800, sees({ last: 0.5 }), 400, sees({ last: 0, ends: [], waitless: true })])));
 
 test("a text that is paused drives by none of the commands that it has given meanwhile", (t) => {
   const engine = { ...COMPUTES, async *run() {
@@ -209,6 +202,6 @@ test("a text that is paused drives by none of the commands that it has given mea
     yield { publish: true };
     yield { print: "went on" };
   } };
-  return play(t, engine, { printed: (run) => run.pause() }, [300, sees({ moved: false }), "resume", 100,
+  return perform(t, engine, { printed: (run) => run.pause() }, [300, sees({ moved: false }), resume, 100,
     sees({ prints: ["now", "went on"], moved: true })]);
 });

@@ -10,6 +10,7 @@ import { Work } from "#www/program/work.js";
 import { Clock, settled } from "./clock.js";
 import { later, LOST, playCockpit, refuse } from "./cockpit.js";
 import { stream } from "./random_programs.js";
+import { play, sight } from "./steps.js";
 
 Object.assign(limits, { program: 1000, program_name: 40 });
 
@@ -106,7 +107,7 @@ async function open(t, { programs = [square()], classId = null, storage = undefi
   return lesson;
 }
 
-// What happens in a lesson, as the steps of a test; a number is the ms that pass
+// What happens in a lesson
 const edit = (name, program) => ({ page }) => page.edit(name, program);
 const add = (name) => ({ page }) => page.work.add(name, EMPTY);
 const make = (variable, name = "my program") => ({ page }) => {
@@ -138,7 +139,8 @@ const hold = (kind) => (lesson) => {
 const answer = (fields) => (lesson) => lesson.answer(fields);
 
 const NAMES = Object.fromEntries(Object.entries(ID).map(([name, id]) => [id, name]));
-const SEEN = { // what a test may look at
+const device = ({ page }) => [...page.storage.values()].join();
+const sees = sight({
   name: ({ page }) => page.name, program: ({ page }) => page.program, said: ({ page }) => page.said,
   newer: ({ page }) => page.newer, locked: ({ page }) => page.locked, rows: ({ page }) => page.rows,
   names: ({ state }) => state.names(), // in the cockpit
@@ -147,17 +149,9 @@ const SEEN = { // what a test may look at
     .map(({ robot, id, version, name }) => `${robot} ${NAMES[id] ?? "new"} ${version}: ${name}`),
   asked: ({ state }) => state.asked.map((each) => each.do).filter((each) => each !== "list"),
   has: ({ state }) => Object.fromEntries(state.programs.map(({ name, program }) => [name, program])),
-  device: ({ page }) => [...page.storage.values()].join(),
-};
-const sees = (expected) => (lesson) => {
-  assert.deepEqual(Object.fromEntries(Object.keys(expected).map((key) => [key, SEEN[key](lesson)])), expected);
-};
-const keepsNo = (words) => (lesson) => assert.doesNotMatch(SEEN.device(lesson), words);
-
-async function play(t, given, steps) {
-  const lesson = await open(t, given);
-  for (const step of steps) await (typeof step === "number" ? lesson.clock.pass(step) : step(lesson));
-}
+});
+const keepsNo = (words) => (lesson) => assert.doesNotMatch(device(lesson), words);
+const teach = async (t, given, steps) => play(await open(t, given), steps);
 
 const NO_ANSWER = "The cockpit does not answer. The page tries again.";
 const UNLISTED = { listed: false };
@@ -255,29 +249,29 @@ const LESSONS = {
   "a deleted program that has made room for others is not sent again": [
     CLASS, edit("Mine"), 1000, there({ programs: [] }), hear(), 60000, sees({ name: "Mine", has: {} })],
 };
-for (const [what, [given, ...steps]] of Object.entries(LESSONS)) test(what, (t) => play(t, given, steps));
+for (const [what, [given, ...steps]] of Object.entries(LESSONS)) test(what, (t) => teach(t, given, steps));
 
 for (const [does, act, name, saves] of [
   ["opens an example", add("Zigzag"), "Zigzag", []],
   ["changes something", edit("Mine"), "Mine", ["/red new 0: Mine"]],
   ["does nothing", () => {}, "Square", []],
 ]) {
-  test(`before the first list comes, a person ${does}: the page shows ${name}`, (t) => play(t, UNLISTED, [
+  test(`before the first list comes, a person ${does}: the page shows ${name}`, (t) => teach(t, UNLISTED, [
     act, hear(), 1000, sees({ name, saves })]));
 
-  test(`while the newest program is fetched, a person ${does}: the page shows ${name}`, (t) => play(t, UNLISTED, [
+  test(`while the newest program is fetched, a person ${does}: the page shows ${name}`, (t) => teach(t, UNLISTED, [
     hold("open"), hear(), act, hear(), answer(square()), sees({ name })]));
 }
 
 for (const connection of [online, offline]) {
   test(`new programs are numbered, also if the one before is not in the list yet: ${connection === online}`, (t) => (
-    play(t, { programs: [square({ name: "my program" })] }, [connection, add("my program"), make("a"), make("b"),
+    teach(t, { programs: [square({ name: "my program" })] }, [connection, add("my program"), make("a"), make("b"),
       make("c"), sees({ name: "my program 4" }), online, 4000,
       sees({ names: ["my program", "my program 2", "my program 3", "my program 4"] })])));
 }
 
 for (const [what, classId] of [["has nothing", null], ["has a class now", "a"]]) {
-  test(`a cockpit without a class that was started again, and ${what}, gets what is shown`, (t) => play(t, {}, [
+  test(`a cockpit without a class that was started again, and ${what}, gets what is shown`, (t) => teach(t, {}, [
     edit("Mine"), 1000, there({ programs: [], classId }), connect, hear(), 1000,
     sees({ names: ["Mine"], name: "Mine" }),
     ({ page }) => assert.equal([...page.storage.values()].filter((each) => each.includes("Mine")).length, 1)]));
@@ -286,7 +280,7 @@ for (const [what, classId] of [["has nothing", null], ["has a class now", "a"]])
 for (const [what, name, next] of [
   ["stays open", "Square", () => {}], ["has changed one and stays open", "Kept", () => {}],
   ["is opened again", "Kept", reload(UNLISTED)]]) {
-  test(`once a class was deleted, a page that ${what} neither shows nor sends its programs`, (t) => play(t, CLASS, [
+  test(`once a class was deleted, a page that ${what} neither shows nor sends its programs`, (t) => teach(t, CLASS, [
     edit(name), 1000, there({ programs: [], classId: "b" }), next, connect, hear(), 60000,
     sees({ name: "my program", program: EMPTY, has: {} }), keepsNo(/Kept|Square/), edit("New"), 1000,
     sees({ names: ["New"] })]));
