@@ -21,6 +21,7 @@ globalThis.addEventListener = (type, listener) => parentPort.once(type, (data) =
 await import(workerData.url);
 `;
 const SENSES = { here: { X: 0, Y: 0, HEADING: 0 }, pose: [1, 2, 0], line: [0.25, 0.5, 1], wheels: [0, 0] };
+const LONGEST = 60000; // ms until a text is ended that does not end
 const TURN = 1e-6; // s that the page's turn takes: no clock stands while a program waits for less
 
 class Worker {
@@ -51,6 +52,7 @@ const { PythonEngine } = await import("#www/python/engine.js");
 class Page {
   seconds = 0;
   curves = [];
+  seen = []; // the variables, by their names, at each wait of a second or more
   trace = []; // prints and commands ([ms, x, z]) in their order
   answers = 0; // how often the page had its turn
   count = 0; // of the events
@@ -68,6 +70,7 @@ class Page {
   take({ print, name, value, publish, wait = 0 }) {
     if (print !== undefined) this.trace.push(print);
     if (name !== undefined) this.curves.push([name, value]);
+    if (wait >= 1) this.seen.push(Object.fromEntries(this.engine.variables));
     if (publish) this.trace.push([Math.round(1000 * this.seconds), ...this.engine.motion]);
     this.seconds += wait;
     this.count += 1;
@@ -84,6 +87,10 @@ export async function runText(text, { enough = () => false, slow = false, robot 
   const page = new Page(engine, slow);
   const end = { error: "", line: null, cut: false };
   Worker.computing = computing;
+  const bound = setTimeout(() => {
+    engine.end();
+    engine.hear({ broken: "it did not end" });
+  }, LONGEST);
   try {
     await engine.prepare();
     for await (const event of engine.run(() => page.state())) {
@@ -95,11 +102,12 @@ export async function runText(text, { enough = () => false, slow = false, robot 
     if (error.constructor.name !== "ProgramError") throw error;
     Object.assign(end, { error: error.message, line: error.place ?? null });
   } finally {
+    clearTimeout(bound);
     engine.end();
   }
-  const { answers, count, longest, curves, trace } = page;
+  const { answers, count, longest, curves, seen, trace } = page;
   const [prints, commands] = [false, true].map((are) => trace.filter((each) => Array.isArray(each) === are));
   const { problem = null, reach } = Worker.newest;
-  return { ...end, answers, count, longest, curves, trace, prints, motions: commands.map(([, ...motion]) => motion),
-    variables: engine.variables, problem, reach };
+  return { ...end, answers, count, longest, curves, seen, trace, prints,
+    motions: commands.map(([, ...motion]) => motion), variables: engine.variables, problem, reach };
 }
