@@ -13,6 +13,24 @@ const MODULES = new URL("../../morbot_ws/src/jetbot_cockpit/www/python/modules/"
 const FULL_SPEED = 0.6; // m/s at x = 1, of the robot that is played here; z turns it by as many rad/s
 const SENSES = { pose: [0, 0, 0], line: [1, 1, 1], wheels: [0, 0] };
 const CUT = "cut";
+const IT_DOES_NOT = { type: "", message: "it does not fail", line: 0 };
+
+// Runs a text, and returns how it fails
+const FAIL = `
+import io, json, sys
+
+def each(line, values):
+    for value in values:
+        yield value
+
+def fail(text):
+    try:
+        exec(compile(text, "program.py", "exec"), {"__name__": "__main__", "_at": lambda *_, **__: None, "_each": each})
+    except BaseException as problem:
+        trace = io.StringIO()
+        sys.print_exception(problem, trace)
+        return json.dumps([type(problem).__name__, str(problem), trace.getvalue()])
+`;
 
 // What a program sees as _page. perLook: s that pass as the program asks for the time; perLine: s for each statement;
 // longest: s until it is cut; more: other things of _page
@@ -78,6 +96,27 @@ export async function runPython(text, options = {}) {
     page.error = error.message;
   }
   return page;
+}
+
+// Returns how a program fails, as explain() takes it.
+export async function failureInPage(text) {
+  let failure = IT_DOES_NOT;
+  await runPython(text, { more: { fail: (...said) => { failure = toFailure(...said); } } });
+  return failure;
+}
+
+const python = await loadMicroPython({ pystack: 1 << 16, stdout: () => {} });
+python.runPython(FAIL);
+const fail = python.globals.get("fail");
+
+// The same without the page's modules, and quickly.
+export function failureOf(text) {
+  const answer = fail(mark(text, pythonLanguage.parser.parse(text)));
+  return answer ? toFailure(...JSON.parse(answer)) : IT_DOES_NOT;
+}
+
+function toFailure(type, message, trace) {
+  return { type, message, line: Number([...trace.matchAll(/"program\.py", line (\d+)/g)].at(-1)?.[1] ?? 0) };
 }
 
 function write(files, file) {
