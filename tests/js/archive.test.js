@@ -55,16 +55,19 @@ test("what is there already is not overwritten", () => {
   assert.equal(read("made/a.txt"), FILES[0].text);
 });
 
-test("a package has a script that may be run, and the blocks to open again", () => {
-  unpack(packageText("my_square", "import rospy\n", "{}"));
+test("a package can be started, has the blocks to open again, and depends on what its program imports", () => {
+  unpack(packageText("my_square", "import rospy\nfrom sensor_msgs.msg import Range\n", "{}"));
   assert.equal(statSync(join(folder, "my_square/scripts/program.py")).mode & 0o100, 0o100);
+  assert.equal(read("my_square/scripts/program.py"),
+    "#!/usr/bin/env python3\nimport rospy\nfrom sensor_msgs.msg import Range\n");
   assert.deepEqual(JSON.parse(read("my_square/my_square.json")), {});
+  assert.deepEqual(read("my_square/package.xml").match(/(?<=<exec_depend>)\w+/g),
+    ["rospy", "sensor_msgs", "jetbot_control_node"]);
 });
 
-test("a package depends on what its program imports", () => {
-  unpack(packageText("my_square", "import rospy\nfrom nav_msgs.msg import Odometry\n", "{}"));
-  assert.match(read("my_square/package.xml"), /<exec_depend>nav_msgs</);
-  assert.doesNotMatch(read("my_square/package.xml"), /std_msgs/);
+test("a text with its first line is packed as it is", () => {
+  unpack(packageText("my_text", "#!/usr/bin/python3\nprint(1)\n", "{}"));
+  assert.equal(read("my_text/scripts/program.py"), "#!/usr/bin/python3\nprint(1)\n");
 });
 
 test("a package's name is one that catkin takes, and no package of the workspace has it", () => {

@@ -9,34 +9,6 @@ const START = { type: "robot_start" };
 const opened = (...blocks) => parseProgram(JSON.stringify({ blocks: { blocks } })).blocks.blocks;
 const problem = (...blocks) => problemOf(JSON.stringify({ blocks: { blocks } }));
 
-function nested(depth) {
-  return depth ? { type: "logic_negate", inputs: { BOOL: { block: nested(depth - 1) } } } : { type: "logic_boolean" };
-}
-
-function chained(count) {
-  let block = START;
-  for (let left = count; left > 1; left -= 1) block = { ...START, next: { block } };
-  return block;
-}
-
-test("what the page has saved is opened as it was", () => {
-  const block = {
-    type: "controls_if", id: "a", x: 30, y: 20.5, extraState: { elseIfCount: 1, hasElse: true },
-    inputs: { IF0: { block: { type: "logic_boolean", fields: { BOOL: "TRUE" } } }, DO0: { block: START } },
-    next: { block: { type: "robot_wait", inputs: { SECONDS: { shadow: { type: "math_number" } } } } },
-  };
-  const program = { blocks: { languageVersion: 0, blocks: [block] }, variables: [{ name: "x", id: "1" }] };
-  assert.deepEqual(parseProgram(JSON.stringify(program)), program);
-});
-
-test("long texts and names are opened as they are", () => {
-  const program = {
-    blocks: { languageVersion: 0, blocks: [{ type: "text", fields: { TEXT: "y".repeat(300) } }] },
-    variables: [{ name: "x".repeat(200), id: "x" }],
-  };
-  assert.deepEqual(parseProgram(JSON.stringify(program)), program);
-});
-
 test("what is no program is refused", () => {
   for (const text of ["", "{}", "[]", "null", "7", '{"blocks": {"blocks": 5}}', '{"blocks": {"blocks": [null]}}',
     '{"blocks": {"blocks": []}, "variables": [{"name": 5, "id": "x"}]}']) {
@@ -50,28 +22,19 @@ test("a block that the page does not know is named", () => {
   assert.ok(problem({ type: "x".repeat(1000) }).length < 100);
 });
 
-test("keys that the page does not know are left out", () => {
-  assert.deepEqual(opened({ ...START, icons: { comment: {} }, data: "x", disabledReasons: ["x"] }), [START]);
-});
-
-test("a state that is XML is left out", () => {
-  assert.deepEqual(opened({ ...START, extraState: "<mutation elseif='1000000'/>" }), [START]);
-});
+for (const [what, block, kept] of [
+  ["keys that the page does not know are left out", { icons: { comment: {} }, data: "x", disabledReasons: ["x"] }, {}],
+  ["a state that is XML is left out", { extraState: "<mutation elseif='1000000'/>" }, {}],
+  ["a block far away is brought near", { x: 1e300, y: "far" }, { x: 1e5, y: 0 }],
+]) {
+  test(what, () => assert.deepEqual(opened({ ...START, ...block }), [{ ...START, ...kept }]));
+}
 
 test("ends of lines and control characters in texts and names are left out", () => {
   const [{ fields }] = opened({ type: "text", fields: { TEXT: "a\r\nimport os\u202e\0" } });
   assert.equal(fields.TEXT, "aimport os");
   const { variables } = parseProgram('{"blocks": {"blocks": []}, "variables": [{"name": "a\\nb", "id": "x"}]}');
   assert.equal(variables[0].name, "ab");
-});
-
-test("a block far away is brought near", () => {
-  assert.deepEqual(opened({ ...START, x: 1e300, y: "far" }), [{ ...START, x: 1e5, y: 0 }]);
-});
-
-test("sixty blocks in each other are opened, more are refused", () => {
-  assert.equal(problem(nested(60)), "");
-  assert.equal(problem(nested(61)), "This program nests more than 60 blocks in each other.");
 });
 
 test("very deep nesting, also in what a block holds, is refused like any other", () => {
@@ -83,15 +46,10 @@ test("very deep nesting, also in what a block holds, is refused like any other",
     "This file is no program of this page.");
 });
 
-test("two thousand blocks below each other are opened, more are refused", () => {
-  assert.equal(problem(chained(2000)), "");
-  assert.equal(problem(chained(2001)), "This program has more than 2000 blocks.");
-});
-
 test("two thousand variables are opened, more are refused", () => {
   const named = (count) => JSON.stringify({ blocks: { blocks: [START] }, variables: Array.from({ length: count },
     (_, id) => ({ name: `x${id}`, id: `${id}` })) });
-  assert.equal(parseProgram(named(2000)).variables.length, 2000);
+  assert.equal(problemOf(named(2000)), "");
   assert.equal(problemOf(named(2001)), "This program has more than 2000 variables.");
 });
 
