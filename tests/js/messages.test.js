@@ -6,7 +6,7 @@ import { test } from "node:test";
 
 import { Clock } from "./clock.js";
 import "./dom.js";
-import { stream } from "./random_programs.js";
+import { stream } from "./stream.js";
 
 const IDS = ["/red", "/blue", "/tom"];
 const elements = {};

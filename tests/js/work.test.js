@@ -9,8 +9,8 @@ import { Work } from "#www/program/work.js";
 
 import { Clock, settled } from "./clock.js";
 import { later, LOST, playCockpit, refuse } from "./cockpit.js";
-import { stream } from "./random_programs.js";
 import { play, sight } from "./steps.js";
+import { stream } from "./stream.js";
 
 Object.assign(limits, { program: 1000, program_name: 40 });
 
