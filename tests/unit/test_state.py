@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from jetbot_control_node.control.state_machine import ANSWER_TIMEOUT, STOPPED, Sender, State
+from jetbot_control_node.control.state_machine import STOPPED, Sender, State
 from jetbot_ros.state import EMERGENCY_STOP, NO_MASTER, sentence
 
 GO = (0.5, 0.1)
@@ -52,28 +52,3 @@ TIMED_OUT = "stopped: no command for 1.0 s (repeat it: rostopic pub -r 10)"
     *NOT_FINITE])
 def test_what_may_be_driven_and_why(state, velocity, reason, alarm):
     assert (state.speeds, sentence(state.cause), state.alarm) == (velocity, reason, alarm)
-
-
-def test_a_release_without_a_hold_changes_nothing():
-    assert DRIVING.hold(EMERGENCY_STOP, False) == DRIVING
-
-
-@pytest.mark.parametrize("stopped", [
-    DRIVING.check_timeout(now=5), DRIVING.disconnect(PUPIL, others=False),
-    DRIVING.command(math.nan, 0, PUPIL, now=0.1), EMERGENCY.hold(EMERGENCY_STOP, False),
-    STANDING_ORDER.check_timeout(now=5), NEW.command(*GO, LATCHED._replace(old=True), now=0)])
-def test_whatever_stopped_it_the_next_command_drives_again(stopped):
-    assert stopped.speeds == STOPPED
-    assert stopped.command(*GO, IDLE, now=6).speeds == GO
-
-
-@pytest.mark.parametrize("state, deadline", [
-    (NEW, math.inf), (EMERGENCY, math.inf), (DRIVING, 1.0), (HOLDING, ANSWER_TIMEOUT),
-    (STANDING_ORDER.confirm(PUPIL, 8), 8 + ANSWER_TIMEOUT)])
-def test_a_timeout_is_checked_when_it_is_due(state, deadline):
-    assert state.deadline == deadline
-
-
-def test_a_command_during_a_hold_is_noted_but_moves_nothing():
-    state = EMERGENCY.command(*GO, PUPIL, now=0.5)
-    assert (state.commanded_at, state.speeds) == (0.5, STOPPED)

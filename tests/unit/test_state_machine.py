@@ -27,6 +27,11 @@ class Decision(RuleBasedStateMachine):
         self.obeyed, self.command_obeyed, self.heard_at = None, STOPPED, 0.0
         self.holds, self.manual_at = set(), -math.inf
 
+    @property
+    def limit(self):
+        """How long the program that is obeyed may be silent, in s."""
+        return ANSWER_TIMEOUT if self.obeyed.latched or not self.timeout else self.timeout
+
     def obey(self, sender, velocity):
         """A command that counts has arrived: the model follows it, unless it is zero or nonsense."""
         go = not self.holds and all(map(math.isfinite, velocity)) and any(velocity)
@@ -85,16 +90,15 @@ class Decision(RuleBasedStateMachine):
     def wait(self, seconds):
         self.now += seconds
         self.state = self.state.check_timeout(self.now)
-        if self.obeyed:
-            limit = ANSWER_TIMEOUT if self.obeyed.latched or not self.timeout else self.timeout
-            self.obeyed = self.obeyed if self.now - self.heard_at < limit else None
+        if self.obeyed and self.now - self.heard_at >= self.limit:
+            self.obeyed = None
 
     @invariant()
     def drives_what_the_living_program_commands_and_nothing_else(self):
         assert self.state.speeds == (self.command_obeyed if self.obeyed else STOPPED)
         assert set(self.state.holds) == self.holds
         assert self.state.driving == (not self.state.cause)
-        assert self.state.deadline > self.now or not self.state.driving
+        assert self.state.deadline == (self.heard_at + self.limit if self.obeyed else math.inf)
 
 
 settings.register_profile("tens of thousands", max_examples=200, stateful_step_count=50, deadline=None,

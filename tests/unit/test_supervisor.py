@@ -63,24 +63,14 @@ def go(supervisor):
     supervisor.step(0.0, woken=True)
 
 
-def test_a_command_turns_the_wheels(supervisor, folder, statuses):
+@pytest.mark.parametrize("timeout", [1.0, 0.6])  # not left to the next heartbeat
+def test_no_further_command_stops_within_the_timeout(supervisor, folder, statuses, timeout):
+    supervisor.state = supervisor.state._replace(timeout=timeout)
     go(supervisor)
     assert wheel_speeds(folder) == pytest.approx((0.4, 0.6), abs=0.0003)
-    assert statuses == ["driving"]
-
-
-def test_no_further_command_stops_within_the_timeout(supervisor, folder, statuses):
-    go(supervisor)
-    steps(supervisor, 0.0, 1.1)
+    steps(supervisor, 0.0, timeout + 0.01)
     assert wheel_speeds(folder) == STOPPED
-    assert statuses == ["driving", "stopped: no command for 1.0 s (repeat it: rostopic pub -r 10)"]
-
-
-def test_the_timeout_is_not_left_to_the_next_heartbeat(supervisor, folder):
-    supervisor.state = supervisor.state._replace(timeout=0.6)
-    go(supervisor)
-    steps(supervisor, 0.0, 0.61)
-    assert wheel_speeds(folder) == STOPPED
+    assert statuses == ["driving", f"stopped: no command for {timeout} s (repeat it: rostopic pub -r 10)"]
 
 
 def test_a_frozen_program_has_no_more_time_to_answer_because_this_one_stutters(supervisor, folder):
@@ -122,22 +112,13 @@ def test_while_stopped_it_sleeps_but_feeds_the_guard(supervisor, robot):
     assert max(b - a for a, b in zip(moments, moments[1:])) < HEARTBEAT_TIMEOUT / 2
 
 
-def test_verification_follows_a_command_and_is_one_transfer(supervisor, wire, robot):
+def test_verification_is_one_transfer_and_no_more_often_than_that_because_commands_are(supervisor, wire, robot):
     robot.driver.link.close()  # from here on, the bus counts
     go(supervisor)
-    wire.bits.clear()
-    supervisor.step(0.2, woken=True)   # the command repeats: nothing to write, one block to read
-    supervisor.step(0.25, woken=True)  # the next command comes soon after: no read
-    assert len(wire.bits) == 1
-
-
-def test_between_two_commands_ten_times_a_second_nothing_is_verified(supervisor, wire, robot):
-    robot.driver.link.close()
-    go(supervisor)
-    wire.bits.clear()
-    supervisor.step(0.05, woken=False)
-    supervisor.step(0.0999, woken=False)
-    assert wire.bits == []
+    for now, woken, transfers in (0.05, False, 0), (0.0999, False, 0), (0.2, True, 1), (0.25, True, 0):
+        wire.bits.clear()
+        supervisor.step(now, woken)
+        assert len(wire.bits) == transfers, now
 
 
 def switch_all_outputs_off(folder):
@@ -164,21 +145,19 @@ def test_while_driving_the_boards_own_timer_is_fed(make_robot, folder, statuses)
     assert robot.driver.keep_alive.call_count == len(moments) >= 4
 
 
-def test_the_guard_is_fed_while_the_board_does_not_answer(supervisor, robot, folder):
+def test_a_board_that_does_not_answer_is_tried_again_while_the_guard_is_fed(supervisor, robot, folder, statuses):
     go(supervisor)
-    (folder / "0x60").unlink()
-    steps(supervisor, 0.0, 2.0)
-    assert robot._guard.heartbeat.call_count > 4
-
-
-def test_a_board_that_does_not_answer_is_tried_again(supervisor, folder, statuses):
-    go(supervisor)
-    (folder / "0x60").unlink()
-    steps(supervisor, 0.3, 0.3)
-    power_on(folder)
-    steps(supervisor, 0.6, 0.1)
-    assert wheel_speeds(folder) == pytest.approx((0.4, 0.6), abs=0.0003)
-    assert statuses == ["driving", f"stopped: no answer from 0x60 on fake:{folder}, trying again", "driving"]
+    for moment in (0.05, 0.5):
+        (folder / "0x60").unlink()
+        fed = robot._guard.heartbeat.call_count
+        steps(supervisor, moment, 0.4)
+        assert robot._guard.heartbeat.call_count > fed
+        power_on(folder)
+        steps(supervisor, moment + 0.4, 0.05)
+        assert wheel_speeds(folder) == pytest.approx((0.4, 0.6), abs=0.0003)
+    failed = f"stopped: no answer from 0x60 on fake:{folder}, trying again"
+    assert statuses == ["driving", failed, "driving", failed,
+                        "driving, its board keeps failing to answer (2 so far): check the wires"]
 
 
 @contextmanager
@@ -242,6 +221,8 @@ def test_an_emergency_stop_wakes_the_thread_and_lasts(running, folder):
     assert wait_until(lambda: wheel_speeds(folder) == STOPPED, 1.0)
     running.command(0.4, 0.6, PUPIL)
     assert not wait_until(lambda: wheel_speeds(folder) != STOPPED, 0.2)
+    running.end()
+    assert wait_until(lambda: running.closed, 1.0)
 
 
 def test_a_stop_overtakes_thirty_programs_on_a_slow_bus(supervisor, folder):
@@ -264,12 +245,6 @@ def command_often(supervisor, speed):
     """Command this speed thirty times per second until the supervisor ends."""
     while not wait_until(lambda: supervisor.closed, 1 / 30, interval=1 / 30):
         supervisor.command(speed - 0.1, speed + 0.1, PUPIL)
-
-
-def test_the_end_stops_the_wheels_and_closes_the_robot(running, folder):
-    running.end()
-    assert wait_until(lambda: running.closed, 1.0)
-    assert wheel_speeds(folder) == STOPPED
 
 
 def test_without_a_guard_nothing_turns(supervisor, robot, folder, statuses, monkeypatch):
@@ -312,16 +287,6 @@ def test_a_command_below_the_steps_of_the_board_is_reported_unless_it_passes(sup
     supervisor.state = supervisor.state.command(0.0, 0.0, PUPIL, 1.1)
     steps(supervisor, 1.1, 2.0)
     assert statuses[2:] == ["driving", "stopped: the command is zero"]
-
-
-def test_a_board_that_fails_now_and_then_is_reported(supervisor, folder, statuses):
-    go(supervisor)
-    for moment in (0.3, 0.7):
-        (folder / "0x60").unlink()
-        supervisor.step(moment, woken=True)
-        power_on(folder)
-        supervisor.step(moment + 0.05, woken=True)
-    assert statuses[-1] == "driving, its board keeps failing to answer (2 so far): check the wires"
 
 
 def test_a_program_whose_command_arrives_after_its_end_is_not_listed(supervisor):

@@ -10,30 +10,19 @@ from conftest import step_of
 from jetbot import JetbotError
 from jetbot_control_node.control import watch
 from jetbot_control_node.control.state_machine import STOPPED, State
-from jetbot_control_node.control.watch import ASK_INTERVAL, HANGING, POLL_INTERVAL, LauncherWatch, MasterWatch, repeat
+from jetbot_control_node.control.watch import (
+    ASK_INTERVAL,
+    HANGING,
+    POLL_INTERVAL,
+    RETRY_INTERVAL,
+    LauncherWatch,
+    MasterWatch,
+    repeat,
+)
 from jetbot_ros.state import NO_MASTER, SUSPENDED
 
-
-class Master:
-    """A master that answers, or not, as ``says``: True, False for a node that it does not know, or an error."""
-
-    def __init__(self):
-        self.says = True
-        self.refuses = False
-
-    def heal(self, before_registering):
-        if isinstance(self.says, Exception):
-            raise self.says
-        known = self.says
-        if not known:
-            before_registering()
-            self.says = not self.refuses
-        return known
-
-
-@pytest.fixture
-def master():
-    return Master()
+REFUSED, TIMEOUT = ConnectionRefusedError(), socket.timeout()
+HELD, FREE = (NO_MASTER,), ()
 
 
 @pytest.fixture
@@ -47,57 +36,43 @@ def supervisor():
     return fake
 
 
-@pytest.fixture
-def watched(supervisor, master):
-    return MasterWatch(supervisor, master.heal)
+def watch_master(supervisor, answers):
+    """Return a watch of a master that answers in turn: whether it knows this node, or with an error."""
+    def heal(before_registering):
+        answer = answers.pop(0)
+        if isinstance(answer, Exception):
+            raise answer
+        if not answer:
+            before_registering()
+        return answer
+    return MasterWatch(supervisor, heal)
 
 
-def test_a_master_that_answers_is_there(watched, supervisor):
-    assert [watched.ask() for _ in range(10)] == [ASK_INTERVAL] * 10
-    supervisor.hold.assert_not_called()
+@pytest.mark.parametrize("answers, holds, calls", [
+    ([True] * 3, [FREE] * 3, 0),
+    ([REFUSED, True, REFUSED, True], [FREE] * 4, 0),                # it was busy
+    ([REFUSED, REFUSED, REFUSED, True], [FREE, HELD, HELD, FREE], 2),
+    ([TIMEOUT, True], [HELD, FREE], 2),                             # it is frozen
+    ([False, True], [FREE], 2),                                     # a new one: held until this node is registered
+    ([False, False, False, True], [HELD, FREE], 2)], ids=str)
+def test_a_master_that_is_gone_frozen_or_new_holds_the_robot(supervisor, answers, holds, calls):
+    watch, seen = watch_master(supervisor, answers), []
+    while answers:
+        pause = watch.ask()
+        seen.append(supervisor.state.holds)
+        assert pause == ASK_INTERVAL or answers and pause == RETRY_INTERVAL
+    assert (seen, supervisor.hold.call_count) == (holds, calls)
 
 
-def test_a_master_that_refuses_twice_is_gone_and_back_at_the_first_answer(watched, supervisor, master):
-    master.says = ConnectionRefusedError()
-    watched.ask()
-    assert supervisor.state.holds == ()
-    watched.ask()
-    assert supervisor.state.holds == (NO_MASTER,)
-    master.says = True
-    watched.ask()
-    assert supervisor.state.holds == ()
-
-
-def test_a_master_that_does_not_answer_in_time_is_frozen(watched, supervisor, master):
-    master.says = socket.timeout()
-    watched.ask()
-    assert supervisor.state.holds == (NO_MASTER,)
-
-
-def test_a_question_that_hangs_holds_the_robot_until_the_next_answer(watched, supervisor):
-    watched.ask()
+def test_a_question_that_hangs_holds_the_robot_until_the_next_answer(supervisor):
+    watch = watch_master(supervisor, [True, True])
+    watch.ask()
     now = time.monotonic()
-    watched(step_of(STOPPED, now + HANGING - 1))
-    assert supervisor.state.holds == ()
-    watched(step_of(STOPPED, now + HANGING + 1))
-    assert supervisor.state.holds == (NO_MASTER,)
-    watched.ask()
-    assert supervisor.state.holds == ()
-
-
-def test_a_new_master_is_lost_until_this_node_is_registered(watched, supervisor, master):
-    master.says, master.refuses = False, True
-    watched.ask()
-    assert supervisor.state.holds == (NO_MASTER,)
-    master.refuses = False
-    watched.ask()
-    assert supervisor.state.holds == ()
-
-
-def test_the_robot_is_held_before_it_registers_with_a_new_master(watched, supervisor, master):
-    master.says = False
-    watched.ask()
-    assert [call.args for call in supervisor.hold.call_args_list] == [(NO_MASTER, True), (NO_MASTER, False)]
+    for later, holds in (-1, FREE), (1, HELD):
+        watch(step_of(STOPPED, now + HANGING + later))
+        assert supervisor.state.holds == holds
+    watch.ask()
+    assert supervisor.state.holds == FREE
 
 
 def test_a_terminal_that_is_suspended_holds_the_robot_until_it_is_resumed(supervisor):
