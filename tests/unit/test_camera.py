@@ -87,12 +87,6 @@ def test_observers_get_each_picture_until_they_leave(command):
     assert wait_until(lambda: seen.value is not pictures[-1], 10) and len(pictures) <= count + 1
 
 
-def test_a_folder_is_a_camera_of_any_size(tmp_path):
-    (tmp_path / "1.jpg").write_bytes(bgr8_to_jpeg(BLUE))
-    seen = Camera(32, 32, source=f"file:{tmp_path}")
-    assert seen.value.shape == (32, 32, 3) and is_blue(seen.value)
-
-
 def test_a_source_can_be_flipped(tmp_path):
     picture = BLUE.copy()
     picture[:24, :32] = 255 - BLUE[0, 0]
@@ -123,22 +117,16 @@ def test_stop_keeps_the_picture_and_start_sees_again(command):
     assert seen.value is not last and is_blue(seen.value)
 
 
-def test_a_new_camera_stops_the_old_one_of_its_source(command):
-    source = command("write(blue); time.sleep(60)")
-    Camera(64, 48, source=source)
-    new = Camera(64, 48, source=source)
-    assert camera.running == [new]
-
-
-def test_the_instance_is_the_camera_that_runs_with_the_same_arguments(command):
+def test_the_instance_is_the_camera_that_runs_with_the_same_arguments_and_another_one_of_its_source_stops_it(command):
     source = command("while True: write(blue); time.sleep(0.01)")
     seen = Camera.instance(64, 48, source=source)
     assert Camera.instance(width=64, height=48, source=source) is seen
     seen.stop()
     again = Camera.instance(64, 48, source=source)
     assert again is not seen and camera.running == [again]
-    larger = Camera.instance(128, 96, source=source)
-    assert larger.value.shape == (96, 128, 3) and camera.running == [larger]
+    for make in Camera, Camera.instance:
+        larger = make(128, 96, source=source)
+        assert larger.value.shape == (96, 128, 3) and camera.running == [larger]
 
 
 def test_a_damaged_picture_is_left_out_and_reported_be_it_the_first(command, tmp_path, capsys):

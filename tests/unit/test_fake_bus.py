@@ -1,6 +1,5 @@
 """The fake hardware follows the chip's data sheet, also for a driver that is wrong."""
 
-import errno
 import os
 import runpy
 import sys
@@ -77,34 +76,6 @@ def test_a_chip_without_a_name_as_earlier_versions_have_made_it_is_that_of_its_a
             assert wheel_speeds(folder, board) == pytest.approx((0.5, 0.5), abs=robot.driver.resolution)
 
 
-def test_power_on_values(bus, folder):
-    bus.write_byte_data(0x60, 0x00, 0x20)
-    power_on(folder)
-    assert registers(folder)[:6].hex() == "1104e2e4e8e0"
-    assert registers(folder)[0x06:0x46] == OFF * 16
-    assert registers(folder)[0xFE] == 0x1E
-
-
-def test_a_folder_that_holds_only_the_buses_of_namespaces_gets_its_chips(folder):
-    os.makedirs(f"{folder}/jetbot_01")
-    FakeBus(folder)
-    assert os.path.isfile(f"{folder}/0x60")
-
-
-def test_a_folder_is_there_with_all_its_chips_or_not_at_all(folder, monkeypatch):
-    def fill(file, content, write=Path.write_bytes):
-        if file.name == "0x60":
-            raise OSError(errno.ENOSPC, "the disk is full")
-        return write(file, content)
-
-    with monkeypatch.context() as patch, pytest.raises(OSError):
-        patch.setattr(Path, "write_bytes", fill)
-        FakeBus(folder)
-    assert os.listdir(folder.parent) == []
-    FakeBus(folder)
-    assert (folder / "0x60").exists() and os.listdir(folder.parent) == [folder.name]
-
-
 def test_of_two_that_make_a_folder_the_first_wins(folder, monkeypatch):
     def write_late(file, content, write=Path.write_bytes):
         monkeypatch.setattr(Path, "write_bytes", write)
@@ -116,12 +87,11 @@ def test_of_two_that_make_a_folder_the_first_wins(folder, monkeypatch):
     assert os.listdir(folder.parent) == [folder.name]
 
 
-@pytest.mark.parametrize("left", [["0x41.4242"], ["0x41", "0x60.4242"]])
-def test_a_folder_that_was_left_half_made_gets_its_chips(folder, left):
-    FakeBus(folder)
-    for file in folder.iterdir():
-        file.rename(folder / left[0]) if left[:1] == [file.name] else file.unlink()
-    for name in left[:2]:
+@pytest.mark.parametrize("left", [["jetbot_01/"], ["0x41.4242"], ["0x41", "0x60.4242"]],
+                         ids=["the buses of namespaces", "half a chip", "half a folder"])
+def test_a_folder_without_chips_gets_them(folder, left):
+    for name in left:
+        (folder / name).mkdir(parents=True) if name.endswith("/") else folder.mkdir(exist_ok=True)
         (folder / name).touch()
     assert FakeBus(folder).read_byte_data(0x60, 0xFE) == 0x1E
 
@@ -132,24 +102,16 @@ def test_unplugged_chips_stay_unplugged(bus, folder):
     assert not os.path.exists(f"{folder}/0x60")
 
 
-@pytest.mark.parametrize("mode1, outputs", [(0x10, "030000"), (0x30, "010203")])
-def test_a_block_fills_registers_only_with_auto_increment(bus, folder, mode1, outputs):
+@pytest.mark.parametrize("mode1, register, written, held", [
+    (0x10, 0x06, [1, 2, 3], "03000010"), (0x30, 0x06, [1, 2, 3], "01020310"),  # auto-increment
+    (0x00, 0xFE, [3], "1e"), (0x10, 0xFE, [3], "03")])                             # asleep
+def test_a_block_fills_registers_with_auto_increment_and_pre_scale_is_written_asleep(
+        bus, folder, mode1, register, written, held):
     bus.write_byte_data(0x60, 0x00, mode1)
-    bus.write_i2c_block_data(0x60, 0x06, [1, 2, 3])
-    assert registers(folder)[0x06:0x09].hex() == outputs
-
-
-@pytest.mark.parametrize("mode1, values", [(0x11, [0x11, 0x11, 0x11]), (0x31, [0x31, 0x04, 0xE2])])
-def test_a_block_is_read_from_one_register_without_auto_increment(bus, mode1, values):
-    bus.write_byte_data(0x60, 0x00, mode1)
-    assert bus.read_i2c_block_data(0x60, 0x00, 3) == values
-
-
-@pytest.mark.parametrize("mode1, pre_scale", [(0x00, 0x1E), (0x10, 3)])
-def test_pre_scale_is_written_only_asleep(bus, mode1, pre_scale):
-    bus.write_byte_data(0x60, 0x00, mode1)
-    bus.write_byte_data(0x60, 0xFE, 3)
-    assert bus.read_byte_data(0x60, 0xFE) == pre_scale
+    bus.write_i2c_block_data(0x60, register, written)
+    assert registers(folder)[register:].hex().startswith(held)
+    read = bus.read_i2c_block_data(0x60, register, 3)
+    assert mode1 & 0x20 or read == [registers(folder)[register]] * 3
 
 
 @pytest.mark.parametrize("backward, forward, speed", [
@@ -220,10 +182,6 @@ def test_a_clock_that_cannot_be(folder, text):
         FakeBus(folder)
 
 
-def test_a_new_bus_has_a_chip_at_the_address_that_is_asked_for(folder):
-    assert FakeBus(folder, 0x61).read_byte_data(0x61, 0x00) == 0x11
-
-
 @pytest.mark.parametrize("plug_in", [FakeBus, power_on])
 @pytest.mark.parametrize("address, possible", [(0x3D, False), (0x3F, False), (0x40, True), (0x77, True)])
 def test_a_chip_has_the_address_of_a_pca9685(folder, plug_in, address, possible):
@@ -234,14 +192,6 @@ def test_a_chip_has_the_address_of_a_pca9685(folder, plug_in, address, possible)
 def power_on_by_hand(monkeypatch, *words):
     monkeypatch.setattr(sys, "argv", ["jetbot.fake", *map(str, words)])
     runpy.run_module("jetbot.fake", run_name="__main__")
-
-
-def test_a_chip_is_plugged_in_by_hand_and_powered_on_with_the_others(bus, folder, monkeypatch):
-    power_on_by_hand(monkeypatch, folder, "--i2c-address", "0x61")
-    bus.write_byte_data(0x61, 0x00, 0x20)
-    assert registers(folder, 0x61)[0x00] == 0x20
-    power_on_by_hand(monkeypatch, folder)
-    assert registers(folder, 0x61)[0x00] == 0x11
 
 
 @pytest.mark.parametrize("chip, addresses, possible", [
