@@ -8,7 +8,7 @@ import itertools
 import another_chip
 import pytest
 
-from jetbot import BusError, boards
+from jetbot import boards
 from jetbot.boards import MotorDriver, find_board
 from jetbot.connection import open_board, stop_board
 from jetbot.fake.bus import power_on
@@ -17,7 +17,6 @@ from jetbot.fake.motors import STOPPED, wheel_speeds
 BOARDS = {**boards.BOARDS, **another_chip.ROWS}
 READ_BACK = [name for name, board in BOARDS.items() if board.driver.verify is not MotorDriver.verify]
 PARTS = 16        # more than any driver's ``verify`` goes through
-TRANSFERS = 25    # more than any driver needs to set its board up and to drive
 SPEEDS = [(0.5, 0.5), (-0.5, -0.5), (-1, 1), (0.5, 0), (0, 0.25), (0.25, -0.75), (0.7, 0.3), (0, 0)]
 A, B = (0.5, -0.25), (-0.75, 1)
 
@@ -148,44 +147,3 @@ def test_after_something_else_has_driven_the_board_all_is_sent_again(driver, mak
     assert not driver.in_sync
     driver.drive(*A)
     assert driver.in_sync and wheels() == near(A, driver)
-
-
-@pytest.mark.parametrize("brown_out", [False, True])
-def test_after_a_failed_transfer_the_next_drive_sets_the_board_up_again(driver, folder, monkeypatch, wheels, brown_out):
-    for failing in range(1, TRANSFERS):
-        driver.invalidate()
-        driver.drive(*A)
-        with monkeypatch.context() as patch:
-            failed = fail_at(driver, failing, patch)
-            try_to_drive(driver, B)
-        if failed and brown_out:
-            power_on(folder)
-        assert driver.in_sync != bool(failed), f"in_sync is {driver.in_sync} after the failed writes {failed}"
-        driver.drive(*A)
-        assert wheels() == near(A, driver)
-    assert not failed  # all transfers have had their turn
-
-
-def fail_at(driver, number, patch):
-    """Let one write fail; return a list that is no longer empty once it has."""
-    write, numbers, failed = driver.link.write, itertools.count(1), []
-
-    def write_or_fail(*arguments):
-        if next(numbers) == number:
-            failed.append(number)
-            raise BusError("the cable is cut")
-        write(*arguments)
-
-    patch.setattr(driver.link, "write", write_or_fail)
-    return failed
-
-
-def try_to_drive(driver, speeds):
-    """Set the board up, drive and keep it alive, until a transfer fails."""
-    try:
-        driver.drive(*speeds)
-        driver.keep_alive()
-        driver.invalidate()
-        driver.drive(*speeds)
-    except BusError:
-        pass

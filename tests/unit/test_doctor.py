@@ -130,9 +130,7 @@ def test_a_reader_that_ends_early_ends_it_without_a_traceback(folder):
 
 
 @pytest.mark.parametrize("word, line", [
-    ("5E88", "ok  Battery: 12.1 V, about 86 %, by the INA219 at 0x41 on BUS."),
     ("5000", "NOT Battery: 10.2 V, about 34 %, by the INA219 at 0x41 on BUS. Charge it before the lesson."),
-    ("4846", "NOT Battery: 9.2 V, about 7 %, by the INA219 at 0x41 on BUS. It is empty: charge it now."),
     ("0000", "ok  Battery: 0.00 V, by the INA219 at 0x41 on BUS.")])
 def test_the_battery_that_a_chip_beside_the_board_measures(folder, word, line):
     power_on(folder)
@@ -141,19 +139,18 @@ def test_the_battery_that_a_chip_beside_the_board_measures(folder, word, line):
     assert lines(f"fake:{folder}")[-1].startswith("ok  robot: could drive.")
 
 
-@pytest.mark.parametrize("readings, line", [
-    ({"celsius": 48.0}, "ok  Temperature: 48 °C."),
-    ({"celsius": 85.0}, "NOT Temperature: 85 °C. Let air reach the computer, and check its fan."),
-    ({"input_volts": 4.6}, "NOT Supply of the computer: 4.60 V, which is too low. Charge the battery, or use a supply "
-                           "of 5 V and 4 A with a short cable."),
-    ({"undervoltage": 1}, "NOT undervoltage: The supply of the computer is too weak. "
-                          "Charge the battery, or use a stronger supply with a short cable.")])
-def test_what_the_computer_measures_is_checked_but_not_for_a_fake_robot(folder, monkeypatch, readings, line):
-    computer_of_robot = SimpleNamespace(read=lambda: readings)
-    monkeypatch.setattr(checkup, "check_health", lambda: computer.check_health(computer_of_robot))
-    assert line in lines(port="/dev/nowhere")
+def test_what_the_computer_measures_is_checked_but_not_for_a_fake_robot(folder, monkeypatch):
+    robots = SimpleNamespace(read=lambda: {"celsius": 48.0, "input_volts": 4.6, "undervoltage": 1})
+    monkeypatch.setattr(checkup, "check_health", lambda: computer.check_health(robots))
+    measured = [
+        "ok  Temperature: 48 °C.",
+        "NOT Supply of the computer: 4.60 V, which is too low. Charge the battery, or use a supply of 5 V and 4 A with "
+        "a short cable.",
+        "NOT undervoltage: The supply of the computer is too weak. Charge the battery, or use a stronger supply with a "
+        "short cable."]
+    assert set(measured) <= set(lines(port="/dev/nowhere"))
     power_on(folder)
-    assert line not in lines(f"fake:{folder}")
+    assert not set(measured) & set(lines(f"fake:{folder}"))
 
 
 @pytest.mark.parametrize("cgroup, cmdline, display", [

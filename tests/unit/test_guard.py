@@ -9,8 +9,8 @@ import subprocess
 import pytest
 from guarded import STOP_TIMEOUT, TIMEOUT, children, drive_in_a_process, drive_until_killed, kill, stopped
 
-from conftest import PACKAGES, registers
-from jetbot.fake.bus import FakeBus, power_on
+from conftest import PACKAGES
+from jetbot.fake.bus import power_on
 from jetbot.fake.motors import wheel_speeds
 from jetbot.wait import wait_until
 
@@ -54,27 +54,12 @@ def test_a_forked_child_does_not_keep_the_guard_waiting(folder):
     assert wait_until(stopped(folder), STOP_TIMEOUT)
 
 
-@pytest.mark.parametrize("killer", [signal.SIGKILL, signal.SIGTERM])
-def test_wheels_stop_when_the_process_is_killed(folder, killer):
-    kill(drive_until_killed(folder), killer)
-    assert wait_until(stopped(folder), STOP_TIMEOUT)
-
-
-def test_wheels_stop_when_all_of_the_process_group_is_killed(folder):
+@pytest.mark.parametrize("killer", [signal.SIGKILL, signal.SIGTERM, os.killpg])
+def test_wheels_stop_when_the_process_or_all_of_its_group_is_killed(folder, killer):
     process = drive_until_killed(folder, start_new_session=True)
-    os.killpg(process.pid, signal.SIGKILL)
+    os.killpg(process.pid, signal.SIGKILL) if killer is os.killpg else process.send_signal(killer)
     process.wait()
     assert wait_until(stopped(folder), STOP_TIMEOUT)
-
-
-def test_a_servo_on_the_same_chip_keeps_its_pulse(folder):
-    process = drive_until_killed(folder)
-    FakeBus(folder).write_i2c_block_data(0x60, 6 + 4 * 15, [0, 0, 0x34, 0x01])
-    before = registers(folder)
-    kill(process)
-    assert wait_until(stopped(folder), STOP_TIMEOUT)
-    assert [registers(folder)[i] for i in (0x00, 0x01, 0xFE)] == [0x20, 0x04, 3]
-    assert registers(folder)[0x42:] == before[0x42:]
 
 
 @pytest.mark.parametrize("preparation", [

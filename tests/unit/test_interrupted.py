@@ -96,9 +96,11 @@ def drive(chip, driver, speeds):
         try:
             driver.drive(*speeds)
             driver.verify()
+            driver.keep_alive()
             good += chip.was_interrupted
         except BusError:
             good = 0
+            assert not driver.in_sync
         if good > 5:
             break
 

@@ -42,20 +42,14 @@ def listener(tmp_path, monkeypatch):
         process.stderr.close()
 
 
-def test_a_listening_guard_stops_the_wheels_when_all_of_the_session_is_killed(folder, listener):
-    listener()
-    process = drive_until_killed(folder, start_new_session=True)
-    assert children(process.pid) == []  # it has started no guard
-    os.killpg(process.pid, signal.SIGKILL)
-    process.wait()
-    assert wait_until(stopped(folder), STOP_TIMEOUT)
-
-
-def test_a_listening_guard_guards_each_robot(tmp_path, listener):
+def test_a_listening_guard_guards_each_robot_also_when_all_of_its_session_is_killed(tmp_path, listener):
     listener()
     with Robot(i2c_bus=f"fake:{tmp_path}/one") as robot:
         robot.forward()
-        kill(drive_until_killed(tmp_path / "two"))
+        process = drive_until_killed(tmp_path / "two", start_new_session=True)
+        assert children(process.pid) == []  # it has started no guard
+        os.killpg(process.pid, signal.SIGKILL)
+        process.wait()
         assert wait_until(stopped(tmp_path / "two"), STOP_TIMEOUT)
         assert robot.guarded and wheel_speeds(tmp_path / "one") == (1, 1)
 
@@ -124,14 +118,10 @@ def test_another_user_is_not_guarded(monkeypatch):
         serve_in_child(None, theirs)
 
 
-def test_a_second_listener_is_refused(listener):
-    listener()
+@pytest.mark.parametrize("first", ["a guard", "a file"])
+def test_a_listener_where_another_one_or_a_file_is_refuses_and_deletes_nothing(tmp_path, listener, first):
+    (tmp_path / "guard").write_text("notes") if first == "a file" else listener()
     second = listener()
     assert second.wait(TIMEOUT) == 1
     assert second.stderr.read().startswith("The guard cannot listen on ")
-
-
-def test_a_listener_deletes_no_file(tmp_path, listener):
-    (tmp_path / "guard").write_text("notes")
-    assert listener().wait(TIMEOUT) == 1
-    assert (tmp_path / "guard").read_text() == "notes"
+    assert is_in_use(str(tmp_path / "guard")) if first == "a guard" else (tmp_path / "guard").read_text() == "notes"

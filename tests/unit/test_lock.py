@@ -6,19 +6,10 @@ import subprocess
 import sys
 
 import pytest
+from guarded import start
 
-from conftest import MODULES
 from jetbot import JetbotError
 from jetbot.connection import lock_board
-
-HOLD = f"""
-import sys
-sys.path[:0] = {MODULES!r}
-from jetbot.connection import lock_board
-lock = lock_board(sys.argv[1], 0x60)
-print("locked", flush=True)
-sys.stdin.read()
-"""
 
 
 @pytest.fixture
@@ -27,10 +18,11 @@ def place(folder):
 
 
 @pytest.fixture
-def holder(place):
+def holder(folder, place):
     """Another process that holds the lock."""
-    command = [sys.executable, "-c", HOLD, place]
-    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as process:
+    code = (f"import sys; from jetbot.connection import lock_board; lock = lock_board({place!r}, 0x60)\n"
+            "print('locked', flush=True); sys.stdin.read()")
+    with start(folder, code, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as process:
         assert process.stdout.readline() == b"locked\n"
         yield process
         process.kill()

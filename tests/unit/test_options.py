@@ -20,17 +20,14 @@ def parser(monkeypatch):
     return parser
 
 
-@pytest.mark.parametrize("argument, i2c_bus", [
-    ("--i2c-bus=0", 0), ("i2c_bus:=7", 7), ("_i2c_bus:=7", 7), (f"i2c_bus:={'9' * 5000}", "9" * 5000),
-    ("i2c_bus:=fake", "fake:/home/of_ros/fake_i2c"), ("i2c_bus:=fake:robot", f"fake:{os.getcwd()}/robot")])
-def test_options_as_the_shell_and_as_ros_write_them(parser, monkeypatch, argument, i2c_bus):
+@pytest.mark.parametrize("argument, name, value", [
+    ("--i2c-bus=0", "i2c_bus", 0), ("i2c_bus:=7", "i2c_bus", 7), ("_i2c_bus:=7", "i2c_bus", 7),
+    (f"i2c_bus:={'9' * 5000}", "i2c_bus", "9" * 5000), ("i2c_bus:=fake", "i2c_bus", "fake:/home/of_ros/fake_i2c"),
+    ("i2c_bus:=fake:robot", "i2c_bus", f"fake:{os.getcwd()}/robot"),
+    *((word, "i2c_address", 0x61) for word in ("i2c_address:=0x61", "--i2c-address=97", "_i2c_address:=97"))])
+def test_options_as_the_shell_and_as_ros_write_them(parser, monkeypatch, argument, name, value):
     monkeypatch.setenv("ROS_HOME", "/home/of_ros")
-    assert parse(parser, [argument]).i2c_bus == i2c_bus
-
-
-@pytest.mark.parametrize("argument", ["i2c_address:=0x61", "--i2c-address=97", "_i2c_address:=97"])
-def test_an_address_is_a_number(parser, argument):
-    assert parse(parser, [argument]).i2c_address == 0x61
+    assert getattr(parse(parser, [argument]), name) == value
 
 
 @pytest.mark.parametrize("typed, sentence", [
