@@ -12,6 +12,8 @@ from jetbot_tools.doctor import checkup, computer, motor_board
 PCA9685 = {0x00: 0x11, 0x01: 0x04, 0x02: 0xE2, 0x03: 0xE4, 0x04: 0xE8}
 SCMD = {0x01: 0xA9}
 LAUNCH = "roslaunch jetbot_control_node jetbot_controller.launch"
+COULD, NONE = f"ok  robot: could drive. Start it with: {LAUNCH}", "NOT robot: no motor board found."
+AN = "the chip that answers is an"
 
 
 class Bus:
@@ -49,15 +51,33 @@ def plug_in(monkeypatch):
     return make
 
 
-@pytest.mark.parametrize("address, chip, boards, command", [
-    (0x6F, PCA9685, "jetbot or adafruit or waveshare", "i2c_address:=0x6f"),
-    (0x63, SCMD, "sparkfun", "board:=sparkfun i2c_address:=0x63"),
-    (0x60, SCMD, "sparkfun", "board:=sparkfun i2c_address:=0x60")])
-def test_a_board_at_an_address_that_its_jumpers_select(plug_in, address, chip, boards, command):
-    plug_in({address: chip})
-    output = lines(1)
-    assert output[-2].startswith(f"ok  0x{address:02x} on /dev/i2c-1: answers, and can be a board {boards}.")
-    assert output[-1] == f"ok  robot: could drive. Start it with: {LAUNCH} {command}"
+@pytest.mark.parametrize("chips, asked, line, verdict", [
+    ({0x6F: PCA9685}, {}, "ok  0x6f on BUS: answers, and can be a board jetbot or adafruit or waveshare.",
+     f"{COULD} i2c_address:=0x6f"),  # at an address that its jumpers select
+    ({0x63: SCMD}, {}, "ok  0x63 on BUS: answers, and can be a board sparkfun.",
+     f"{COULD} board:=sparkfun i2c_address:=0x63"),
+    ({0x60: SCMD}, {}, "ok  0x60 on BUS: answers, and can be a board sparkfun.",
+     f"{COULD} board:=sparkfun i2c_address:=0x60"),
+    ({0x40: PCA9685, 0x5D: SCMD}, {}, "", f"{COULD} board:=sparkfun"),  # which is certain, unlike the servo board's
+    ({0x60: PCA9685, 0x6E: PCA9685}, {"address": 0x6E}, "", f"{COULD} i2c_address:=0x6e"),
+    ({0x60: PCA9685}, {"address": 0x62}, "NOT 0x62 on BUS: no answer from 0x62 on BUS.", NONE),
+    ({0x40: PCA9685}, {"board": "waveshare_hat"}, "", f"{COULD} board:=waveshare_hat"),
+    ({0x41: PCA9685}, {"board": "waveshare_hat"}, "", f"{COULD} board:=waveshare_hat i2c_address:=0x41"),
+    ({0x40: PCA9685, 0x5D: {}, 0x60: PCA9685}, {"board": "adafruit"}, "", f"{COULD} board:=adafruit"),
+    ({0x40: PCA9685, 0x5D: {}, 0x61: PCA9685}, {"board": "waveshare"}, "",
+     f"{COULD} board:=waveshare i2c_address:=0x61"),
+    ({0x40: PCA9685, 0x5D: {}, 0x58: SCMD}, {"board": "sparkfun"}, "", f"{COULD} board:=sparkfun i2c_address:=0x58"),
+    ({0x68: {}}, {}, "", NONE), ({0x61: {}, 0x41: {0x00: 0x39, 0x01: 0x9F}}, {}, "", NONE), ({0x40: {}}, {}, "", NONE),
+    ({0x40: {0x00: 0x39, 0x01: 0x9F}}, {}, f"NOT 0x40 on BUS: {AN} INA219, which measures the supply.", NONE),
+    ({0x40: {0x00: 0x71, 0x01: 0x27}}, {}, f"NOT 0x40 on BUS: {AN} INA3221, which measures the supply.", NONE)],
+    ids=lambda value: str(value)[:40])
+def test_what_is_on_the_bus_and_how_to_drive_it(plug_in, chips, asked, line, verdict):
+    bus = plug_in(chips)
+    output = lines(1, **asked)
+    assert any(each.startswith(line.replace("BUS", "/dev/i2c-1")) for each in output)
+    assert output[-1] == verdict or verdict is NONE and output[-1].startswith(NONE)
+    assert "address" not in asked or 0x60 not in bus.read
+    assert asked.get("board", "waveshare_hat") == "waveshare_hat" or not any("0x40 on" in each for each in output)
 
 
 @pytest.mark.parametrize("address, command", [
@@ -70,7 +90,6 @@ def test_what_may_be_a_servo_board_is_offered_on_one_condition(plug_in, address,
     assert str(robot) == f"NOT robot: could drive if {condition}. Start it with: {LAUNCH} {command}"
     assert robot.condition == chip.condition == condition
     assert lines(1, address=address)[-1] == str(robot)
-    assert lines(1, board="waveshare_hat")[-1] == f"ok  robot: could drive. Start it with: {LAUNCH} {command}"
 
 
 @pytest.mark.parametrize("board, address, uncertain", [
@@ -81,21 +100,6 @@ def test_what_may_be_a_servo_board_is_marked_whatever_board_is_tried_there(plug_
     assert check.ok and bool(check.condition) == uncertain
 
 
-def test_a_board_that_is_certain_comes_before_one_that_may_be_a_servo_board(plug_in):
-    plug_in({0x40: PCA9685, 0x5D: SCMD})
-    assert lines(1)[-1] == f"ok  robot: could drive. Start it with: {LAUNCH} board:=sparkfun"
-
-
-@pytest.mark.parametrize("board, address, command", [
-    ("adafruit", 0x60, "board:=adafruit"), ("waveshare", 0x61, "board:=waveshare i2c_address:=0x61"),
-    ("sparkfun", 0x58, "board:=sparkfun i2c_address:=0x58")])
-def test_a_board_that_is_named_is_looked_for_alone(plug_in, board, address, command):
-    plug_in({0x40: PCA9685, 0x5D: {}, address: SCMD if board == "sparkfun" else PCA9685})
-    output = lines(1, board=board)
-    assert not [line for line in output if "0x40 on" in line]
-    assert output[-1] == f"ok  robot: could drive. Start it with: {LAUNCH} {command}"
-
-
 @pytest.mark.parametrize("board, port", [("jetbot", "/dev/nowhere"), ("jetbot_pro", None), ("", "/dev/nowhere")])
 def test_a_board_that_is_named_and_a_port_are_looked_for_where_they_can_be(plug_in, monkeypatch, board, port):
     plug_in({0x40: PCA9685, 0x5D: SCMD})
@@ -103,18 +107,6 @@ def test_a_board_that_is_named_and_a_port_are_looked_for_where_they_can_be(plug_
     output = "\n".join(lines(port=port, board=board))
     assert ("0x60 on /dev/i2c-1" in output, "/dev/nowhere" in output) == (board == "jetbot", board != "jetbot")
     assert "NOT robot: no motor board found." in output
-
-
-@pytest.mark.parametrize("chips", [{0x68: {}}, {0x61: {}, 0x41: {0x00: 0x39, 0x01: 0x9F}}, {0x40: {}}])
-def test_another_chip_is_no_motor_board(plug_in, chips):
-    plug_in(chips)
-    assert lines(1)[-1].startswith("NOT robot: no motor board found.")
-
-
-@pytest.mark.parametrize("configuration, name", [((0x39, 0x9F), "INA219"), ((0x71, 0x27), "INA3221")])
-def test_a_power_monitor_at_the_address_of_waveshares_hat(plug_in, configuration, name):
-    plug_in({0x40: dict(enumerate(configuration))})
-    assert f"NOT 0x40 on /dev/i2c-1: the chip that answers is an {name}, which measures the supply." in lines(1)
 
 
 def test_a_multiplexer_which_a_read_would_switch_is_left_alone(plug_in):
@@ -132,13 +124,6 @@ def test_other_addresses_are_read_on_the_robots_bus_alone(plug_in, monkeypatch):
     monkeypatch.setattr(host, "buses", lambda: [1])
     lines()
     assert set(range(0x40, 0x70)) == set(bus.read)
-
-
-def test_an_address_that_is_typed_is_the_only_one(plug_in):
-    bus = plug_in({0x60: PCA9685, 0x6E: PCA9685})
-    assert lines(1, address=0x6E)[-1].endswith(f"{LAUNCH} i2c_address:=0x6e")
-    assert 0x60 not in bus.read
-    assert lines(1, address=0x62)[2].startswith("NOT 0x62 on /dev/i2c-1: no answer from 0x62 on /dev/i2c-1.")
 
 
 def test_another_program_on_the_bus_is_the_first_line_after_the_computers(plug_in, monkeypatch):
