@@ -106,13 +106,14 @@ def test_a_square_of_four_metres_ends_where_the_simulated_robot_does(supervisor,
 @pytest.mark.parametrize("stop", [
     lambda supervisor, folder, monkeypatch: None,  # no further command
     lambda supervisor, folder, monkeypatch: (folder / "0x60").unlink(),
-    lambda supervisor, folder, monkeypatch: monkeypatch.setattr(type(supervisor.robot), "guarded", False)],
-    ids=["time-out", "no board", "no guard"])
+    lambda supervisor, folder, monkeypatch: monkeypatch.setattr(type(supervisor.robot), "guarded", False),
+    lambda supervisor, folder, monkeypatch: (supervisor.end(), supervisor.run())],
+    ids=["time-out", "no board", "no guard", "the end of the node"])
 def test_whatever_stops_the_wheels_stops_the_odometry(supervisor, reckoning, folder, monkeypatch, stop):
     now = drive(supervisor, 0.4, 0.0, 0.0, 1.0)
     stop(supervisor, folder, monkeypatch)
     end = now + 1.2
-    while now < end:
+    while now < end and not supervisor.closed:
         now = supervisor.step(now, woken=False)
     assert not reckoning.motion.moving
     assert 0.39 < reckoning.motion.x < 0.4 * 2.2
@@ -124,11 +125,3 @@ def test_after_a_freeze_only_what_the_guard_allows_counts(robot, reckoning):
     thawed = reckoning.motion.advance(60.0)
     assert not thawed.moving
     assert thawed.x == pytest.approx(0.3 * 1.0)  # the guard has stopped it after a second
-
-
-def test_the_end_of_the_node_stops_the_odometry(supervisor, reckoning):
-    drive(supervisor, 0.4, 0.0, 0.0, 1.0)
-    supervisor.end()
-    supervisor.run()
-    assert supervisor.closed
-    assert not reckoning.motion.moving

@@ -63,16 +63,6 @@ def test_a_chip_that_is_unplugged_turns_no_wheel_until_it_is_back(motors, robot,
     assert motors.speeds() == STOPPED
 
 
-def test_a_folder_that_becomes_a_file_turns_no_wheel(motors, robot, folder):
-    robot.forward(0.5)
-    os.rename(folder, f"{folder}.away")
-    folder.touch()
-    assert (motors.speeds(), motors.pwm_frequency()) == (STOPPED, None)
-    folder.unlink()
-    os.rename(f"{folder}.away", folder)
-    assert motors.speeds() == near(0.5)
-
-
 def test_the_timer_of_a_chip_that_is_not_fed_runs_off_while_its_file_does_not_change(folder):
     with Robot("sparkfun", f"fake:{folder}", guard=False) as robot:
         robot.forward(0.5)

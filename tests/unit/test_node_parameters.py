@@ -23,28 +23,16 @@ def test_a_word_of_the_command_line(word, parameters):
     assert parse_word(word, NAMES) == parameters
 
 
-def test_an_unknown_name_on_the_master_is_refused_with_what_removes_it(monkeypatch):
-    monkeypatch.setattr(sys, "argv", ["node.py"])
-    with pytest.raises(InvalidValue, match="holds i2c_buss for .* Type: rosparam delete /red/node/i2c_buss"):
-        private_parameters("/red/node", {"i2c_buss": "fake"}, NAMES)
-
-
-@pytest.mark.parametrize("word, sentence", [
-    ("i2c_bus:=fake", "The node does not understand i2c_bus:=fake. Type it as _i2c_bus:=fake"),
-    ("_i2c_bus=fake", "The node does not understand _i2c_bus=fake. Type it as _i2c_bus:=fake"),
-    ("--i2c-bus=fake", "The node does not understand --i2c-bus=fake. Type it as _i2c_bus:=fake"),
-    ("--board", "The node does not understand --board. Type it as _board:=VALUE"),
-    ("fake", "The node does not understand fake. Type it as _NAME:=VALUE")])
-def test_a_mistyped_word_is_refused(word, sentence):
-    with pytest.raises(InvalidValue) as error:
-        parse_word(word, NAMES)
-    assert str(error.value) == sentence
-
-
-def test_a_space_after_the_equals_sign_is_named(monkeypatch):
-    monkeypatch.setattr(sys, "argv", ["node.py", "_i2c_bus:=", "fake"])
-    with pytest.raises(InvalidValue, match="_i2c_bus:= and fake are two words. Type them as one: _i2c_bus:=fake"):
-        private_parameters("/node", {}, NAMES)
+@pytest.mark.parametrize("words, on_master, sentence", [
+    *(([word], {}, f"The node does not understand {word}. Type it as {meant}") for word, meant in [
+        ("i2c_bus:=fake", "_i2c_bus:=fake"), ("_i2c_bus=fake", "_i2c_bus:=fake"), ("--i2c-bus=fake", "_i2c_bus:=fake"),
+        ("--board", "_board:=VALUE"), ("fake", "_NAME:=VALUE")]),
+    (["_i2c_bus:=", "fake"], {}, "_i2c_bus:= and fake are two words. Type them as one: _i2c_bus:=fake"),
+    ([], {"i2c_buss": "fake"}, "holds i2c_buss for .* Type: rosparam delete /red/node/i2c_buss")])
+def test_what_is_mistyped_here_or_on_the_master_is_refused(monkeypatch, words, on_master, sentence):
+    monkeypatch.setattr(sys, "argv", ["node.py", *words])
+    with pytest.raises(InvalidValue, match=sentence):
+        private_parameters("/red/node", on_master, NAMES)
 
 
 def test_what_is_typed_wins_over_the_master_and_does_not_go_there(monkeypatch):

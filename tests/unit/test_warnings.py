@@ -7,11 +7,9 @@ import pytest
 from jetbot_control_node.control.state_machine import RECENT, CommandLog, Sender, State
 from jetbot_control_node.control.supervisor import Step
 from jetbot_control_node.status.notes import (
-    LASTING,
     LOOK_INTERVAL,
     NOTE_FOR,
     Disturbances,
-    Lasting,
     Status,
     StatusWatch,
     rivals_note,
@@ -88,14 +86,6 @@ def test_wheels_that_get_less_than_a_step_of_the_board_are_reported_with_advice(
                     "driver.resolution": 0.0002})
     sentence = f"the wheels get less than one step of the board, so they do not turn: {advice}"
     assert str(too_slow_note(robot, duties)) == (sentence if advice else "None")
-
-
-def test_a_condition_is_reported_while_it_has_lasted():
-    lasting = Lasting()
-    assert lasting.note("slow", now=0.0) is None
-    assert lasting.note("slow", now=LASTING) == "slow"
-    assert lasting.note(None, now=LASTING) is None
-    assert lasting.note("slow", now=LASTING + 0.1) is None
 
 
 DRIVING = State(1.0, cause=None)
