@@ -33,6 +33,8 @@ def test_a_motor_board_takes_the_place_of_the_sensor_which_moves_to_its_other_ad
         assert bus.read_i2c_block_data(0x42, 0x02, 2) == VOLTS
         power_on(folder)
     (folder / "0x41").unlink()
+    FakeBus(folder)
+    assert not (folder / "0x41").exists(), "what is unplugged stays unplugged"
     power_on(folder)
     assert bus.read_i2c_block_data(0x41, 0x02, 2) == VOLTS
 
@@ -94,12 +96,6 @@ def test_a_folder_without_chips_gets_them(folder, left):
         (folder / name).mkdir(parents=True) if name.endswith("/") else folder.mkdir(exist_ok=True)
         (folder / name).touch()
     assert FakeBus(folder).read_byte_data(0x60, 0xFE) == 0x1E
-
-
-def test_unplugged_chips_stay_unplugged(bus, folder):
-    os.unlink(f"{folder}/0x60")
-    FakeBus(folder)
-    assert not os.path.exists(f"{folder}/0x60")
 
 
 @pytest.mark.parametrize("mode1, register, written, held", [

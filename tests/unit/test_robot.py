@@ -91,15 +91,21 @@ def test_what_is_no_alpha_is_refused(make_robot, folder, alpha):
     assert wheel_speeds(folder) == (0.5, 0.5)
 
 
-def test_a_new_robot_takes_over_from_the_old_one(make_robot, folder):
+def test_a_new_robot_takes_over_from_the_old_one_which_is_closed(make_robot, folder):
     old = make_robot()
     old.set_motors(0.5, -0.5)
     new = make_robot()
     assert wheel_speeds(folder) == (0, 0)
-    with pytest.raises(JetbotError, match="^This robot is closed."):
-        old.forward()
+    for action in old.forward, old.keep_alive:
+        with pytest.raises(JetbotError, match="^This robot is closed."):
+            action()
+    old._guard.heartbeat.assert_not_called()  # a new guard would stop the next robot
     new.forward(0.25)
+    old.close()
     assert wheel_speeds(folder) == (0.25, 0.25)
+    new.close()
+    new.close()
+    assert wheel_speeds(folder) == (0, 0)
 
 
 def test_a_robot_whose_guard_cannot_start_releases_its_board(folder, monkeypatch):
@@ -109,14 +115,6 @@ def test_a_robot_whose_guard_cannot_start_releases_its_board(folder, monkeypatch
     with pytest.raises(GuardError):
         Robot(i2c_bus=f"fake:{folder}")
     assert closed
-
-
-def test_a_closed_robot_feeds_no_guard(make_robot):
-    robot = make_robot()
-    robot.close()
-    with pytest.raises(JetbotError, match="^This robot is closed."):
-        robot.keep_alive()
-    robot._guard.heartbeat.assert_not_called()  # a new guard would stop the next robot
 
 
 def test_a_board_that_is_gone_at_close_is_reported(make_robot, folder):
@@ -133,16 +131,6 @@ def test_defaults_come_from_the_environment(make_robot, folder, monkeypatch):
     make_robot(i2c_bus=None).forward()
     assert wheel_speeds(folder, "waveshare") == (1, 1)
     assert wheel_speeds(folder, "adafruit") == (0, 0)
-
-
-def test_close_stops_may_be_repeated_and_ends_the_robot(make_robot, folder):
-    robot = make_robot()
-    robot.forward()
-    robot.close()
-    robot.close()
-    assert wheel_speeds(folder) == (0, 0)
-    with pytest.raises(JetbotError, match="^This robot is closed."):
-        robot.forward()
 
 
 def test_a_board_at_another_address_and_pwm_frequency(make_robot, folder):

@@ -7,7 +7,6 @@ import pytest
 
 pytest.importorskip("roslaunch")
 import run  # noqa: E402
-from conftest import PACKAGES  # noqa: E402
 
 signal.signal(signal.SIGINT, signal.default_int_handler)  # which run changes
 
@@ -22,14 +21,10 @@ NO_NUMBER = '<node name="a" pkg="b" type="c"><param name="linear" type="double" 
     ("_i2c_bus:=fake", "there is no argument _i2c_bus. Did you mean i2c_bus:=fake?"),
     ("linear", "there is no argument linear. Did you mean linear:=VALUE?"),
     ("0.2", "there is no argument 0.2. An argument is NAME:=VALUE, without spaces, such as linear:=0.2"),
-    ("foo:=3", "there is no argument foo. An argument is NAME:=VALUE, without spaces, such as linear:=0.2")])
+    ("foo:=3", "there is no argument foo. An argument is NAME:=VALUE, without spaces, such as linear:=0.2"),
+    *((word, None) for word in ("linear:=0.2", "linear:=", "__ns:=red"))])
 def test_a_word_that_is_no_argument_is_refused_with_what_was_meant(word, sentence):
     assert run.word_problem(["rviz:=no", word], KNOWN) == sentence
-
-
-@pytest.mark.parametrize("word", ["linear:=0.2", "linear:=", "__ns:=red"])
-def test_what_roslaunch_takes_is_not_refused(word):
-    assert run.word_problem([word], KNOWN) is None
 
 
 def launch_file(tmp_path, content):
@@ -52,11 +47,6 @@ def test_the_names_are_those_of_all_files_that_are_read(tmp_path, monkeypatch):
 def test_a_launch_file_that_cannot_be_read_is_one_problem(tmp_path, monkeypatch, content, part):
     monkeypatch.setattr(run.roslaunch.rlutil, "resolve_launch_arguments", lambda words: [words[1]])
     assert part in run.problem_of("any", launch_file(tmp_path, content)[1], [])
-
-
-def test_the_workshops_numbers_are_checked_before_a_node_starts():
-    launch = PACKAGES / "scenarios/workshop/launch/workshop_jetbot_controller.launch"
-    assert launch.read_text().count('type="double"') == 3
 
 
 def test_a_master_of_another_user_is_named_with_the_export_that_helps(monkeypatch):

@@ -1,18 +1,15 @@
 """The simulated world: how far a wall is, what the line sensor sees, which files are worlds."""
 
 import math
-import re
 import xml.etree.ElementTree as ET
 
 import pytest
-from recipes import require_rows
-from test_docs import numbers, section
 
-from conftest import ROOT, SIMULATION
+from conftest import SIMULATION
 from jetbot import InvalidValue
 from jetbot.kinematics import Pose
 from simulation.world import EMPTY, FOOTPRINT, World
-from simulation.world_files import KEYS, MAX_POINTS, dump, load, names, parse
+from simulation.world_files import dump, load, names, parse
 
 WALL = World(walls=(((1.0, -1.0), (1.0, 1.0)),))
 POST = World(walls=(((1.0, 1.0), (1.0, 1.0)),))
@@ -122,13 +119,3 @@ def test_a_world_that_is_missing_is_named_by_its_path_with_those_there_are(tmp_p
 
 def test_in_the_shipped_worlds_the_robots_are_free_at_their_starts():
     assert [name for name in names() if load(name).clearance(Pose()) <= 0.25] == [], "a wall is too near in these"
-
-
-def test_the_example_of_the_page_is_a_world_and_its_lists_and_numbers_are_those_of_the_code():
-    page = (ROOT / "docs/worlds.md").read_text()
-    [example] = re.findall(r"^```yaml\n(.*?)^```", page, re.M | re.S)
-    assert (len(parse(example).walls), len(parse(example).lines)) == (2, 1)
-    require_rows(ROOT / "docs/worlds.md", re.findall(r"^\| `(\w+\.yaml)` \|", page, re.M), names())
-    assert re.findall(r"^\| `(\w+)` \|", page, re.M) == list(KEYS)
-    assert {-FOOTPRINT.left, FOOTPRINT.right, FOOTPRINT.top} <= numbers(section(page, "Walls"))
-    assert MAX_POINTS in numbers(section(page, "Write a world"))
