@@ -148,7 +148,7 @@ def failing(transfers):
 @pytest.mark.parametrize("seconds", [0.2, 1.0], ids=["in the middle of a ramp", "at full speed"])
 @pytest.mark.parametrize("event", [
     brown_out, unplugged_for_a_while, guard_lost_for_a_while, frozen_so_that_the_guard_stops_the_wheels, suspended,
-    *map(failing, (1, 2, 3, 4, 6, 9))], ids=lambda event: event.__name__)
+    *map(failing, (1, 3, 6))], ids=lambda event: event.__name__)
 def test_wheels_that_something_else_has_stopped_speed_up_again_from_zero(drive, event, seconds):
     drive.command(0.5, 0.5)
     drive.run(seconds)
