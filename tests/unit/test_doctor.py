@@ -52,14 +52,6 @@ def test_a_bus_without_a_board(folder):
                                              f"To plug it in: python3 -m jetbot.fake {folder}"]
 
 
-@pytest.mark.parametrize("module, noetic, advice", [
-    ("smbus2", True, "Install it with: pip3 install smbus2"),
-    ("serial", True, "Install it with: sudo apt install python3-serial"),
-    ("rospy", True, "Type: source {}/setup.bash   Or install it with: sudo apt install ros-noetic-rospy")])
-def test_install_advice(module, noetic, advice, tmp_path):
-    assert computer.install_advice(module, tmp_path if noetic else tmp_path / "none") == advice.format(tmp_path)
-
-
 def test_only_packages_that_every_robot_needs_keep_it_from_driving(folder, monkeypatch):
     monkeypatch.setattr(checkup, "MODULES", ["no_such_module"])
     output = lines(f"fake:{folder}")

@@ -1,4 +1,4 @@
-"""A person at the cockpit has priority over programs: what test_state_machine.py meets too rarely to show."""
+"""A person at the cockpit has priority over programs: what test_state.py meets too rarely to show."""
 
 import math
 

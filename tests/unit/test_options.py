@@ -6,7 +6,6 @@ import os
 import pytest
 
 from jetbot import fake, host
-from jetbot_control_node.parameters import PARAMETERS
 from jetbot_tools.options import add_options, launch_command, parse
 
 LAUNCH = "roslaunch jetbot_control_node jetbot_controller.launch"
@@ -52,11 +51,6 @@ def test_the_help_is_named_as_the_program_was_started(parser, monkeypatch):
 
 def test_without_an_option_the_environment_is_used(parser):
     assert vars(parse(parser, [])) == {"i2c_bus": None, "port": "/dev/ttyUSB0", "i2c_address": None, "board": None}
-
-
-def test_help_has_the_meaning_and_the_default(parser):
-    assert f"{PARAMETERS['i2c_bus'].doc} (default: every bus)" in parser.format_help()
-    assert f"{PARAMETERS['port'].doc} (default: /dev/ttyACM0)" in parser.format_help()
 
 
 @pytest.mark.parametrize("typed, words", [

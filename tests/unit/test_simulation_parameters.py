@@ -23,10 +23,6 @@ def test_bad_values(name, value, must):
         resolve({name: value})
 
 
-def test_defaults_are_good():
-    assert resolve({}) == {name: parameter.default for name, parameter in PARAMETERS.items()}
-
-
 @pytest.mark.parametrize("name, default, in_file, typed", [
     ("board", "jetbot", "sparkfun", "adafruit"), ("i2c_address", None, 0x61, "0x62"),
     ("publish_odom", False, True, False)])

@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import pytest
 
 from jetbot.boards import BOARDS
-from jetbot_control_node.parameters import PARAMETERS, checked
+from jetbot_control_node.parameters import checked
 from jetbot_control_node.status.summary import start_line, start_warnings, status_suffix, summary
 
 
@@ -51,11 +51,6 @@ def test_the_numbers_by_which_others_scale_their_commands(robot, numbers):
     ("jetbot", {"publish_odom": True, "max_speed": 0.6}, [])])
 def test_what_does_not_do_what_is_expected_is_named_at_the_start(board, typed, warnings):
     assert start_warnings(checked({"board": board, **typed}), driver_of(board)) == warnings
-
-
-@pytest.mark.parametrize("board", BOARDS)
-def test_a_board_ignores_what_is_a_parameter(board):
-    assert set(driver_of(board).ignores) <= set(PARAMETERS)
 
 
 @pytest.mark.parametrize("robot, end", [
