@@ -76,10 +76,6 @@ def test_the_guards_stop_reads_nothing_and_closes_the_bus(folder, monkeypatch): 
     assert (set(calls), last) == ({"write_byte_data"}, "close")
 
 
-def test_a_board_on_a_serial_port_has_no_address():
-    assert find_board("jetbot_pro", 0x61) == find_board("jetbot_pro")
-
-
 @pytest.mark.parametrize("board, address, problem", [
     *(("adafruit", address, "The I2C address must be an address from 0x03 to 0x77, not ")
       for address in (0, 0x78, "61h", True, 1.5)),

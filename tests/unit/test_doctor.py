@@ -2,7 +2,6 @@
 
 import json
 import os
-import signal
 import subprocess
 import sys
 from types import SimpleNamespace
@@ -108,17 +107,6 @@ def test_json_and_exit_code(folder, plugged, code):
     robot = json.loads(ended.stdout)[-1]
     assert (robot["name"], robot["ok"]) == ("robot", plugged)
     assert {file: file.read_bytes() for file in folder.iterdir()} == before, "it only reads"
-
-
-def test_a_reader_that_ends_early_ends_it_without_a_traceback(folder):
-    power_on(folder)
-    reader, output = os.pipe()
-    os.close(reader)
-    environment = {**os.environ, "PYTHONPATH": PYTHONPATH}
-    ended = subprocess.run([sys.executable, str(TOOLS / "scripts/doctor.py"), f"--i2c-bus=fake:{folder}"],
-                           stdout=output, stderr=subprocess.PIPE, env=environment, check=False)
-    os.close(output)
-    assert ended.stderr == b"" and ended.returncode == -signal.SIGPIPE
 
 
 @pytest.mark.parametrize("word, line", [

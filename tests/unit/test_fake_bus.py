@@ -10,10 +10,9 @@ import pytest
 
 from conftest import registers
 from jetbot import BusError, Robot
-from jetbot.boards import BOARDS
 from jetbot.fake import motors as module
 from jetbot.fake.bus import FakeBus, power_on
-from jetbot.fake.chips import INA219, PCA9685, SCMD, JetBotPro
+from jetbot.fake.chips import PCA9685
 from jetbot.fake.motors import CLOCK_TICK, STOPPED, Motors, wheel_speeds
 from jetbot.fake.port import FakePort
 from jetbot.wait import wait_until
@@ -66,18 +65,6 @@ def test_another_chip_than_the_boards_is_named_and_what_to_do(folder, monkeypatc
                                 f"To plug that in: {command}")
     power_on_by_hand(monkeypatch, *command.split()[3:])
     Robot(board, f"fake:{folder}", i2c_address=address, guard=False).close()
-
-
-def test_a_chip_without_a_name_as_earlier_versions_have_made_it_is_that_of_its_address(bus, folder):
-    for address, chip in (0x60, PCA9685), (0x5D, SCMD), (0x42, INA219):
-        (folder / f"0x{address:02x}").write_bytes(chip.POWER_ON)
-    (folder / "jetbot_pro").write_bytes(JetBotPro.POWER_ON)
-    assert (bus.read_byte_data(0x60, 0xFE), bus.read_byte_data(0x5D, 0x01)) == (0x1E, 0xA9)
-    assert bus.read_i2c_block_data(0x42, 0x02, 2) == VOLTS
-    for board in BOARDS:
-        with Robot(board, f"fake:{folder}", f"fake:{folder}", guard=False) as robot:
-            robot.forward(0.5)
-            assert wheel_speeds(folder, board) == pytest.approx((0.5, 0.5), abs=robot.driver.resolution)
 
 
 def test_of_two_that_make_a_folder_the_first_wins(folder, monkeypatch):

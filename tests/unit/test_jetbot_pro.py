@@ -9,7 +9,6 @@ from random import Random
 from unittest.mock import Mock
 
 import pytest
-import serial
 
 from conftest import TELEMETRY
 from jetbot import BusError, InvalidValue
@@ -157,18 +156,3 @@ def test_a_signal_handler_may_write_while_the_port_is_opened(port, monkeypatch):
     monkeypatch.setattr(termios, "tcflush", interrupted)
     link.write(b"program")
     assert read(port[0], 15) == b"handler program"
-
-
-def test_a_late_failure_leaves_the_new_port_open(port, monkeypatch):
-    link = SerialLink(port[1])
-    link.write(b"x")
-
-    def read_late(port):
-        link.close()
-        link.write(b"y")  # another thread opens the port again
-        raise OSError
-
-    monkeypatch.setattr(serial.Serial, "read", lambda port, size: read_late(port))
-    with pytest.raises(BusError):
-        link.read()
-    assert is_open(port[1])

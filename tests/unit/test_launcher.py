@@ -66,15 +66,9 @@ def chain():
         each.kill()
 
 
-def test_runs_as_long_as_roslaunch_does(chain):
-    node = chain()
-    assert node.report() == (False, False)
-    node.kill()
-    assert node.report() == (True, False)
-
-
-def test_a_program_between_survives_roslaunch(chain):
-    node = chain(child=["sh", "-c", '"$@"; true', "xterm", *LAUNCHED])
+@pytest.mark.parametrize("between", [[], ["sh", "-c", '"$@"; true', "xterm"]], ids=["", "a program between"])
+def test_runs_as_long_as_roslaunch_does(chain, between):
+    node = chain(child=[*between, *LAUNCHED])
     assert node.report() == (False, False)
     node.kill()
     assert node.report() == (True, False)

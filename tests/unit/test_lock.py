@@ -37,12 +37,6 @@ def test_a_second_program_is_refused_with_one_sentence(holder, place):
             f"{place}. End that first.")
 
 
-def test_also_by_another_path(holder, folder, tmp_path):
-    (tmp_path / "link").symlink_to(folder)
-    with pytest.raises(JetbotError):
-        lock_board(f"fake:{tmp_path / 'link'}", 0x60)
-
-
 def test_a_frozen_program_still_holds_its_board(holder, place):
     os.kill(holder.pid, signal.SIGSTOP)
     with pytest.raises(JetbotError):
@@ -55,18 +49,16 @@ def test_the_lock_ends_with_its_process(holder, place):
     lock_board(place, 0x60).close()
 
 
-def test_other_boards_are_free(holder, place, tmp_path):
-    lock_board(place, 0x5d).close()
-    lock_board(f"fake:{tmp_path / 'other'}", 0x60).close()
+@pytest.mark.parametrize("kind", ["fake bus", "device"])
+def test_a_board_has_one_lock_whatever_path_leads_to_it(folder, port, tmp_path, kind):
+    target, prefix = (folder, "fake:") if kind == "fake bus" else (port[1], "")
+    (tmp_path / "link").symlink_to(target)
+    with lock_board(f"{prefix}{target}", 0x60), pytest.raises(JetbotError):
+        lock_board(f"{prefix}{tmp_path / 'link'}", 0x60)
 
 
-def test_a_device_has_one_lock_whatever_its_name(port, tmp_path):
-    (tmp_path / "serial").symlink_to(port[1])
-    with lock_board(port[1], None), pytest.raises(JetbotError):
-        lock_board(str(tmp_path / "serial"), None)
-
-
-def test_long_names_are_told_apart(tmp_path):
-    long = f"{tmp_path}/{'A' * 200}"
-    lock_board(f"{long}/1", None)
-    lock_board(f"{long}/2", None).close()
+def test_other_boards_are_free(place, tmp_path):
+    other, long = f"fake:{tmp_path}/other", f"fake:{tmp_path}/{'A' * 200}"
+    boards = (place, 0x60), (place, 0x5D), (other, 0x60), (f"{long}/1", 0x60), (f"{long}/2", 0x60)
+    for lock in [lock_board(*board) for board in boards]:
+        lock.close()
