@@ -1,6 +1,8 @@
 """What a simulated robot sees, against the projection of a pinhole camera that is computed here by itself."""
 
 import math
+from collections import Counter
+from random import Random
 
 import pytest
 
@@ -9,7 +11,7 @@ pytest.importorskip("PIL")
 from jetbot import bgr8_to_jpeg  # noqa: E402
 from jetbot.kinematics import Pose, from_frame  # noqa: E402
 from simulation import picture  # noqa: E402
-from simulation.picture import LINE, SKY, TILES, WALL, render  # noqa: E402
+from simulation.picture import SKY, TILES, WALL, render  # noqa: E402
 from simulation.world import EMPTY, FOOTPRINT, World  # noqa: E402
 from simulation.world_files import load  # noqa: E402
 
@@ -29,13 +31,6 @@ def pixel(x, y, z=0.0):
     return SIZE / 2 - FOCAL_LENGTH * y / depth, SIZE / 2 + FOCAL_LENGTH * down / depth
 
 
-def floor_point(column, row):
-    """Return the point of the floor, in the robot's own frame, in the middle of a pixel."""
-    right, down = (column + 0.5 - SIZE / 2) / FOCAL_LENGTH, (row + 0.5 - SIZE / 2) / FOCAL_LENGTH
-    sinks = SINE + down * COSINE
-    return AHEAD + HEIGHT / sinks * (COSINE - down * SINE), -right * HEIGHT / sinks
-
-
 def at(seen, x, y, z=0.0):
     """Return the colour of a picture where a point is: red, green, blue, 0 to 1."""
     column, row = pixel(x, y, z)
@@ -52,65 +47,64 @@ def is_shade(color, other):
     return 0.7 < ratio < 1.05 and numpy.allclose(color, ratio * numpy.array(other), atol=0.02)
 
 
-@pytest.mark.parametrize("world, pose", [
+def what_is_at(column, row, faces, world, here):
+    """Return what a pixel shows in its middle: a face's colour, 1.0 for the floor, 0.0 for a line.
+
+    faces: (color, height, end, other end) of each that is upright, in the robot's own frame.
+    """
+    right, down = (column + 0.5 - SIZE / 2) / FOCAL_LENGTH, (row + 0.5 - SIZE / 2) / FOCAL_LENGTH
+    forward, rises = COSINE - down * SINE, -SINE - down * COSINE
+    seen, nearest = SKY, math.inf
+    if rises < 0:
+        nearest = -HEIGHT / rises
+        seen = world.reflectance(*from_frame(here, (AHEAD + nearest * forward, -nearest * right)))
+    for color, height, (x, y), (end_x, end_y) in faces:
+        along_x, along_y, ahead = end_x - x, end_y - y, x - AHEAD
+        crossing = forward * along_y + right * along_x or 1e-9
+        distance, part = (ahead * along_y - y * along_x) / crossing, -(forward * y + right * ahead) / crossing
+        if 0 < distance < nearest and 0 <= part <= 1 and HEIGHT + distance * rises <= height:
+            seen, nearest = color, distance
+    return seen
+
+
+def is_seen(color, expected):
+    """Return whether a pixel's colour is what it must show."""
+    if expected in (0.0, 1.0):
+        return max(color) < 35 / 255 if expected == 0.0 else min(color) > 190 / 255
+    return is_color(color, SKY) if expected is SKY else is_shade(color, expected)
+
+
+@pytest.mark.parametrize("world, here", [
     (TRACK, Pose()), (TRACK, Pose(0.62, 0.0, 0.9)), (TRACK, Pose(1.3, 0.83, 0.1)), (TRACK, Pose(-0.2, 0.02, 0.05)),
     (ARENA, Pose(0.2, -0.3, -0.9)), (ARENA, Pose(1.9, 0.6, 1.4)), (LOOP, Pose()), (LOOP, Pose(0.3, -0.2, 1.3))])
-def test_each_pixel_of_the_floor_shows_what_the_line_sensor_would_see(world, pose):
-    seen, lines = render(World((), world.lines, world.line_width), pose), 0
-    for column, row in [(column, row) for row in range(88, SIZE, 5) for column in range(2, SIZE, 5)]:
-        corners = [world.reflectance(*from_frame(pose, floor_point(column + x, row + y)))
-                   for x in (-0.5, 0.5) for y in (-0.5, 0.5)]
-        if corners in ([0] * 4, [1] * 4):
-            assert (seen[row, column] < 35).all() if corners == [0] * 4 else (seen[row, column] > 190).all()
-            lines += corners == [0] * 4
-    assert lines > 5
+def test_each_pixel_shows_what_is_nearest_there_a_wall_a_robot_a_line_or_the_floor(world, here):
+    numbers = Random(str((here, world.lines)))
+    points = [(numbers.uniform(0.3, 1.5), numbers.uniform(-0.8, 0.8)) for _ in range(4)]
+    walls = points[:2], points[2:]
+    robots = [(Pose(numbers.uniform(0.4, 1), numbers.uniform(-0.4, 0.4), numbers.uniform(-3, 3)), color)
+              for color in (RED, GREEN)]
+    faces = [(WALL, 0.2, *wall) for wall in walls]
+    for pose, color in robots:
+        corners = [from_frame(pose, (x, y)) for x, y in (
+            (FOOTPRINT.left, FOOTPRINT.top), (FOOTPRINT.right, FOOTPRINT.top), (FOOTPRINT.right, FOOTPRINT.bottom),
+            (FOOTPRINT.left, FOOTPRINT.bottom))]
+        faces += [(color, 0.12, *ends) for ends in zip(corners, corners[1:] + corners[:1])]
+    world = World(tuple(tuple(from_frame(here, point) for point in wall) for wall in walls), world.lines,
+                  world.line_width)
+    seen = render(world, here, [
+        (Pose(*from_frame(here, pose[:2]), here.yaw + pose.yaw), color) for pose, color in robots])
+    shown = Counter()
+    for column, row in [(column, row) for row in range(2, SIZE, 6) for column in range(2, SIZE, 6)]:
+        corners = {what_is_at(column + x, row + y, faces, world, here) for x in (-1.2, 1.2) for y in (-1.2, 1.2)}
+        expected = corners.pop()
+        if not corners and expected in (SKY, WALL, RED, GREEN, *((0.0, 1.0) if row >= 88 else ())):  # it is at no edge
+            assert is_seen(seen[row, column, ::-1] / 255, expected), (column, row, expected)
+            shown[expected] += 1
+    assert len(shown) > 4 and shown[0.0], "there is something to see"
 
 
-def test_a_wall_has_its_foot_and_its_top_where_a_pinhole_shows_them():
-    seen = render(World(walls=(ACROSS,)), Pose())
-    rows = numpy.flatnonzero([is_shade(color, WALL) for color in seen[:, 112, ::-1] / 255])
-    assert (rows[0], rows[-1] + 1) == pytest.approx((pixel(0.5, 0, 0.2)[1], pixel(0.5, 0)[1]), abs=1)
-    assert is_color(seen[rows[0] - 3, 112, ::-1] / 255, SKY) and is_color(seen[rows[-1] + 3, 112, ::-1] / 255, *TILES)
-
-
-@pytest.mark.parametrize("end, right", [((0.4, 0.05), 1.5), ((0.7, 0.4), -1.5)])
-def test_a_wall_at_an_angle_ends_where_a_pinhole_shows_its_edges(end, right):
-    seen = render(World(walls=(((0.4, 0.05), (0.7, 0.4)),)), Pose())
-    for z in (0.02, 0.1, 0.18):
-        column, row = pixel(*end, z)
-        assert is_shade(seen[int(row), int(column - right), ::-1] / 255, WALL)
-        assert not is_shade(seen[int(row), int(column + right), ::-1] / 255, WALL)
-
-
-def test_a_wall_hides_what_is_behind_it_and_a_robot_what_is_beyond():
-    line = ((0.8, -2.0), (0.8, 2.0))
-    assert is_color(at(render(World(lines=(line,)), Pose()), 0.8, 0), LINE)
-    behind = World(walls=(ACROSS, line), lines=(line,))
-    assert is_shade(at(render(behind, Pose(), [(Pose(0.8), GREEN)]), 0.8, 0), WALL)
-    seen = render(behind, Pose(), [(Pose(0.7), RED), (Pose(0.4), GREEN), (Pose(0.45), RED)])
-    assert is_shade(at(seen, 0.305, 0, 0.06), GREEN)
-    assert is_shade(at(seen, 0.5, 0, 0.18), WALL)
-
-
-def test_another_robot_is_a_box_of_its_footprint_in_its_colour():
-    seen = render(EMPTY, Pose(1, 2, 0.5), [(Pose(*from_frame(Pose(1, 2, 0.5), (0.5, 0.1)), 0.5), RED)])
-    back, left, right = 0.5 + FOOTPRINT.left, 0.1 + FOOTPRINT.top, 0.1 + FOOTPRINT.bottom
-    inside = [at(seen, back, y, z) for y in (left - 0.01, right + 0.01) for z in (0.01, 0.11)]
-    outside = [at(seen, back, y, z) for y in (left + 0.01, right - 0.015) for z in (0.01, 0.11)]
-    assert all(is_shade(color, RED) for color in inside) and not any(is_shade(color, RED) for color in outside)
-    assert not is_shade(at(seen, back, 0.1, 0.135), RED)
-
-
-def test_a_robot_that_stands_askew_shows_two_sides():
-    other = Pose(0.45, 0.0, 0.8)
-    seen = render(EMPTY, Pose(), [(other, RED)])
-    for x, y in ((FOOTPRINT.left, 0.0), (-0.03, FOOTPRINT.top)):
-        assert is_shade(at(seen, *from_frame(other, (x, y)), 0.005), RED)
-        assert not is_shade(at(seen, *from_frame(other, (1.2 * x, 1.2 * y))), RED)
-
-
-def test_a_robot_that_touches_a_wall_sees_nothing_else():
-    seen = render(World(walls=(ACROSS,)), Pose(0.5 - FOOTPRINT.right - 1e-4))
+def test_a_robot_that_touches_a_wall_sees_nothing_else_and_no_line_behind_it():
+    seen = render(World(walls=(ACROSS,), lines=(ACROSS,)), Pose(0.5 - FOOTPRINT.right - 1e-4))
     assert is_shade(seen[0, 0, ::-1] / 255, WALL) and (seen == seen[0, 0]).all()
     assert not is_shade(at(render(World(walls=(ACROSS,)), Pose(0.5)), 1.0, 0), WALL)
 
