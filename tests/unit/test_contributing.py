@@ -1,4 +1,4 @@
-"""The recipes for a parameter, a board and a block in CONTRIBUTING.md, followed as they are written."""
+"""The recipes for a board and a block in CONTRIBUTING.md, followed as they are written."""
 
 import re
 import shutil
@@ -6,7 +6,6 @@ import shutil
 import another_chip
 import pytest
 from javascript import needs_node, node
-from parameter_lines import lines_of, unread
 
 from conftest import ROOT, registers
 from jetbot import Robot, boards
@@ -89,14 +88,6 @@ def test_the_new_board_is_calibrated_and_has_parameters(row, place):
     assert simulation.resolve({"board": "myboard", "i2c_bus": place})["board"] == "myboard"
 
 
-def test_a_parameter_is_a_row_three_lines_and_a_reader():
-    recipe = PAGE.split("## A parameter")[1].split("\n## ")[0]
-    row, *lines = re.findall(r"```\w*\n(.*?)\n```", recipe, re.S)
-    (name, parameter), = eval(f"{{{row}}}", dict(vars(controller))).items()
-    assert lines_of(name, parameter) == tuple("\n".join(lines).splitlines())
-    assert unread(["no_row"]) == {"no_row"}
-
-
 @needs_node
 def test_a_block_is_a_row_with_which_it_is_opened_and_becomes_python(tmp_path):
     row, = re.findall(r"```js\n(.*?)```", PAGE.split("## A block")[1].split("\n## ")[0], re.S)
@@ -108,8 +99,3 @@ def test_a_block_is_a_row_with_which_it_is_opened_and_becomes_python(tmp_path):
     robot.write_text(robot.read_text().replace("export const DRIVE = [\n", f"export const DRIVE = [\n{row}"))
     done = node("--test", "tests/js/blocks.test.js", cwd=tmp_path)
     assert done.returncode == 0 and "\nok 1 - robot_curve can be opened again" in done.stdout, done.stdout
-
-
-def test_the_behaviour_that_is_tested_by_hand_exists():
-    behaviour, = re.findall(r"test:=(\w+)", PAGE)
-    assert (ROOT / f"tests/ros/behaviours/{behaviour}.py").exists() and f"-k {behaviour} " in PAGE

@@ -1,16 +1,13 @@
-"""A parameter is one row: bad values get one sentence, the launch file and docs show the row, the node reads it."""
+"""The controller's parameters: which value counts, and one sentence for each that cannot."""
 
 import math
-import re
 
 import pytest
-from parameter_lines import LAUNCH, REFERENCE, lines_of, unread
-from recipes import require_lines, require_rows
 
 from conftest import SOURCE
 from jetbot import InvalidValue
 from jetbot.boards import BOARDS
-from jetbot_control_node.parameters import PARAMETERS, checked, load, resolve
+from jetbot_control_node.parameters import checked, load, resolve
 
 
 def test_defaults():
@@ -62,23 +59,6 @@ def test_bad_values(name, value, must):
 def test_duties_without_a_range_between():
     with pytest.raises(InvalidValue, match="^The min_duty, 0.4, must be below the max_duty, 0.3. Lower the one, or "):
         checked({"min_duty": 0.4, "max_duty": 0.3})
-
-
-@pytest.mark.parametrize("name", PARAMETERS)
-def test_a_parameter_is_in_the_launch_file_and_in_the_reference(name):
-    *launch, reference = lines_of(name, PARAMETERS[name])
-    require_lines(LAUNCH, launch)
-    require_lines(REFERENCE, [reference])
-
-
-def test_the_launch_file_and_the_reference_have_no_other_parameter():
-    passed = re.findall(r'<param name="(\w+)" value="\$\(arg (\w+)\)"/>', LAUNCH.read_text())
-    require_rows(LAUNCH, passed, [(name, name) for name in (*PARAMETERS, "config")])
-    require_rows(REFERENCE, re.findall(r"^\| `(\w+)` \| `[^`]*` \|", REFERENCE.read_text(), re.M), PARAMETERS)
-
-
-def test_the_node_reads_every_parameter():
-    assert not unread(PARAMETERS), f"no file of jetbot_control_node reads parameters[...] of {unread(PARAMETERS)}"
 
 
 def test_the_file_in_ros_home_is_used_where_it_exists(ros_home):

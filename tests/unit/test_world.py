@@ -1,11 +1,12 @@
 """The simulated world: how far a wall is, what the line sensor sees, which files are worlds."""
 
 import math
+import re
 import xml.etree.ElementTree as ET
 
 import pytest
 
-from conftest import SIMULATION
+from conftest import ROOT, SIMULATION
 from jetbot import InvalidValue
 from jetbot.kinematics import Pose
 from simulation.world import EMPTY, FOOTPRINT, World
@@ -119,3 +120,9 @@ def test_a_world_that_is_missing_is_named_by_its_path_with_those_there_are(tmp_p
 
 def test_in_the_shipped_worlds_the_robots_are_free_at_their_starts():
     assert [name for name in names() if load(name).clearance(Pose()) <= 0.25] == [], "a wall is too near in these"
+
+
+def test_the_example_of_the_page_is_a_world():
+    page = (ROOT / "docs/worlds.md").read_text()
+    [example] = re.findall(r"^```yaml\n(.*?)^```", page, re.M | re.S)
+    assert (len(parse(example).walls), len(parse(example).lines)) == (2, 1)
