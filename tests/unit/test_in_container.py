@@ -14,7 +14,6 @@ MORBOT, ATTEND = ROOT / "morbot", ROOT / "docker/attend"
 WITHOUT_ROS = ["sh", "-c", MORBOT.read_text().replace("is_installed ||", "reason=nothing;"), MORBOT]
 FEDORA = 'ID=fedora\nVERSION_ID=40\nPRETTY_NAME="Fedora Linux 40"\n'
 JETPACK_4 = 'ID=ubuntu\nID_LIKE=debian\nVERSION_CODENAME=bionic\nPRETTY_NAME="Ubuntu 18.04.6 LTS"\n'
-UBUNTU_24 = 'ID=ubuntu\nID_LIKE=debian\nUBUNTU_CODENAME=noble\nPRETTY_NAME="Ubuntu 24.04.1 LTS"\n'
 UBUNTU_26 = 'ID=ubuntu\nID_LIKE=debian\nUBUNTU_CODENAME=resolute\nPRETTY_NAME="Ubuntu 26.04 LTS"\n'
 NO_ROS = "morbot: Fedora Linux 40 has no packages of ROS 1; "
 ENGINE = """echo "${0##*/} $*" >>"$LOG"
@@ -60,50 +59,69 @@ def morbot(tmp_path):
     return run
 
 
-def words_of(commands, beginning):
-    """Return the command line that begins so, framed by spaces."""
-    return f" {next(line for line in commands if line.startswith(beginning))} "
+def started(commands):
+    """Return the command line that starts a container, framed by spaces."""
+    return f" {next(line for line in commands if line.split()[1] == 'run')} "
+
+
+def name_of(commands):
+    """Return the name of the container that is started."""
+    return started(commands).partition("--name ")[2].split()[0]
 
 
 def test_the_first_command_builds_the_image_and_starts_the_container_that_later_ones_share(morbot):
     code, printed, commands = morbot("run", "linear:=0.2", docker=WORKING)
     assert code == 0
     assert printed.startswith("morbot: Fedora Linux 40 has no packages of ROS 1; running in a container of docker\n")
-    assert " --target system " in words_of(commands, "docker build")
     assert commands[-1].startswith(f"docker exec -i --workdir {ROOT}/docs")
     assert commands[-1].endswith(f" {MORBOT} run linear:=0.2")
     _, _, later = morbot("shell", docker=WORKING)
     assert not [line for line in later if line.split()[1] in ("build", "run")]
-    container = words_of(commands, "docker run").partition("--name ")[2].split()[0]
-    assert f" {container} {ATTEND} " in later[-1]
+    assert f" {name_of(commands)} {ATTEND} " in later[-1]
 
 
-@pytest.mark.parametrize("system, name", [(UBUNTU_24, "Ubuntu 24.04.1 LTS"), (UBUNTU_26, "Ubuntu 26.04 LTS")])
-def test_podman_is_installed_where_apt_has_it_and_no_engine_is_there(morbot, system, name):
-    code, printed, commands = morbot("run", system=system, uid=0)
+def test_podman_is_installed_where_apt_has_it_and_no_engine_is_there(morbot):
+    code, printed, commands = morbot("run", system=UBUNTU_26, uid=0)
     assert code == 0
-    assert f"morbot: {name} has no packages of ROS 1; installing podman, to run in a container\n" in printed
+    assert "morbot: Ubuntu 26.04 LTS has no packages of ROS 1; installing podman, to run in a container\n" in printed
     assert commands[-1].startswith("podman exec ")
 
 
 def test_the_container_has_this_folder_the_users_settings_network_and_processes(morbot, tmp_path):
-    started = words_of(morbot("shell", docker=WORKING)[2], "docker run")
+    options = started(morbot("shell", docker=WORKING)[2])
     for option in (f"--volume {ROOT}:{ROOT}", f"--volume {tmp_path}/home/.ros:{tmp_path}/home/.ros", "--network host",
                    "--pid host", "--user 1234:1234", f"--env HOME={tmp_path}/home"):
-        assert f" {option} " in started
+        assert f" {option} " in options
 
 
-@pytest.fixture
-def plug_in(tmp_path):
-    """Return a function that gives this computer a device, which everybody may open."""
-    (tmp_path / "host/dev").mkdir(parents=True)
+@pytest.mark.parametrize("docker", [MISSING, PODMAN], ids=["podman", "a docker that is podman"])
+def test_a_podman_without_root_keeps_the_users_id(morbot, docker):
+    commands = morbot("shell", docker=docker, podman=PODMAN)[2]
+    assert commands[-1].startswith("podman exec ")
+    assert " --user 1234:1234 --userns keep-id --group-add keep-groups " in started(commands)
 
-    def plug(name):
-        device = tmp_path / "host/dev" / name
-        device.symlink_to("/dev/null")
-        return device
 
-    return plug
+def plug_in(host, *names):
+    """Give this computer devices that everybody may open; return their paths."""
+    (host / "dev").mkdir(parents=True, exist_ok=True)
+    for name in names:
+        (host / "dev" / name).symlink_to("/dev/null")
+    return [host / "dev" / name for name in names]
+
+
+def test_the_container_has_motor_boards_and_cameras_with_the_groups_that_may_open_them(morbot, tmp_path):
+    devices = plug_in(tmp_path / "host", "i2c-1", "ttyACM0", "ttyUSB1", "video0", "video10")
+    options = started(morbot("shell", docker=WORKING)[2])
+    for device in devices:
+        assert f" --device {device} --group-add {os.stat(device).st_gid} " in options
+
+
+def test_what_was_plugged_in_later_is_in_a_further_container_for_which_no_stop_waits(morbot, tmp_path):
+    first = morbot("shell", docker=WORKING)[2]
+    camera, = plug_in(tmp_path / "host", "video0")
+    stop = morbot("stop", docker=WORKING)[2]
+    assert f" {name_of(first)} {ATTEND} " in stop[-1] and not [line for line in stop if line.split()[1] == "run"]
+    assert f" --device {camera} " in started(morbot("shell", docker=WORKING)[2])
 
 
 @pytest.fixture
@@ -111,76 +129,43 @@ def jetson(tmp_path):
     """Make this computer one whose daemon for the camera runs; return the daemon's socket."""
     path = tmp_path / "host/tmp/argus_socket"
     path.parent.mkdir(parents=True)
+    bind(path)
+    return path
+
+
+def bind(path):
     with socket.socket(socket.AF_UNIX) as daemon:
         daemon.bind(os.path.relpath(path))  # a socket's path may have 107 characters
-        yield path
 
 
-def test_the_container_has_motor_boards_and_cameras_with_the_groups_that_may_open_them(morbot, plug_in):
-    devices = [plug_in(name) for name in ("i2c-1", "ttyACM0", "ttyUSB1", "video0", "video10")]
-    started = words_of(morbot("shell", docker=WORKING)[2], "docker run")
-    for device in devices:
-        assert f" --device {device} --group-add {os.stat(device).st_gid} " in started
+NVIDIA = "--env NVIDIA_VISIBLE_DEVICES=all --env NVIDIA_DRIVER_CAPABILITIES=all"
 
 
-def test_a_camera_that_was_plugged_in_is_in_a_further_container(morbot, plug_in):
-    first = words_of(morbot("shell", docker=WORKING)[2], "docker run")
-    camera = plug_in("video0")
-    later = words_of(morbot("shell", docker=WORKING)[2], "docker run")
-    assert f" --device {camera} " not in first and f" --device {camera} " in later
+@pytest.mark.parametrize("engine, file, options", [
+    ({"docker": WORKING, "RUNTIMES": "nvidia:{} runc:{}"}, "", f" --runtime nvidia {NVIDIA} --volume {{0}}:{{0}} "),
+    ({"podman": PODMAN}, "etc/cdi/nvidia.yaml", " --device nvidia.com/gpu=all --volume {0}:{0} "),
+    ({"podman": PODMAN}, "run/cdi/nvidia.yaml", " --device nvidia.com/gpu=all --volume {0}:{0} ")])
+def test_a_jetsons_camera_is_reached_by_its_daemon(morbot, jetson, tmp_path, engine, file, options):
+    if file:
+        (tmp_path / "host" / file).parent.mkdir(parents=True)
+        (tmp_path / "host" / file).write_text("kind: nvidia.com/gpu\n")
+    assert options.format(jetson) in started(morbot("shell", **engine)[2])
 
 
-def test_a_stop_waits_for_no_other_container_when_a_device_was_plugged_in(morbot, plug_in):
-    container = words_of(morbot("shell", docker=WORKING)[2], "docker run").partition("--name ")[2].split()[0]
-    plug_in("video0")
-    commands = morbot("stop", docker=WORKING)[2]
-    assert f" {container} {ATTEND} " in commands[-1]
-    assert not [line for line in commands if line.startswith("docker run")]
-
-
-def test_a_jetsons_camera_is_reached_by_its_daemon_and_nvidias_libraries(morbot, jetson):
-    started = words_of(morbot("shell", docker=WORKING, RUNTIMES="nvidia:{} runc:{}")[2], "docker run")
-    assert " --runtime nvidia --env NVIDIA_VISIBLE_DEVICES=all --env NVIDIA_DRIVER_CAPABILITIES=all " in started
-    assert f" --volume {jetson}:{jetson} " in started
-
-
-@pytest.mark.parametrize("folder", ["etc/cdi", "run/cdi"])
-def test_a_jetsons_camera_in_podman(morbot, jetson, tmp_path, folder):
-    specification = tmp_path / "host" / folder / "nvidia.yaml"
-    specification.parent.mkdir(parents=True)
-    specification.write_text("kind: nvidia.com/gpu\n")
-    started = words_of(morbot("shell", podman=PODMAN)[2], "podman run")
-    assert f" --device nvidia.com/gpu=all --volume {jetson}:{jetson} " in started
-
-
-def test_without_nvidias_toolkit_a_jetson_drives_without_its_camera(morbot, jetson):
-    code, _, commands = morbot("shell", docker=WORKING, RUNTIMES="runc:{}")
-    assert code == 0 and "argus" not in words_of(commands, "docker run")
-
-
-def test_a_jetson_drives_without_its_camera_where_the_libraries_do_not_start(morbot, jetson):
-    code, printed, commands = morbot("shell", docker=WORKING, RUNTIMES="nvidia:{} runc:{}", CANNOT="--runtime nvidia")
-    assert code == 0
-    assert "morbot: docker cannot give the Jetson's camera to the container (see above); trying without it\n" in printed
-    assert commands[-1].startswith("docker exec ")
-    assert not [line for line in commands if "cannot start the container" in line]
+@pytest.mark.parametrize("runtimes, cannot, sentence", [
+    ("runc:{}", "nothing", ""), ("nvidia:{} runc:{}", "--runtime nvidia", "morbot: docker cannot give the Jetson's "
+     "camera to the container (see above); trying without it\n")], ids=["no toolkit", "it does not start"])
+def test_without_nvidias_libraries_a_jetson_drives_without_its_camera(morbot, jetson, runtimes, cannot, sentence):
+    code, printed, commands = morbot("shell", docker=WORKING, RUNTIMES=runtimes, CANNOT=cannot)
+    assert code == 0 and sentence in printed and commands[-1].startswith("docker exec ")
+    assert "argus" not in [line for line in commands if line.split()[1] == "run"][-1]
 
 
 def test_a_daemon_of_the_camera_that_was_restarted_is_in_a_further_container(morbot, jetson):
     morbot("shell", docker=WORKING, RUNTIMES="nvidia:{}")
     os.rename(jetson, jetson.with_name("old"))  # keeps its inode
-    with socket.socket(socket.AF_UNIX) as daemon:
-        daemon.bind(os.path.relpath(jetson))
-        assert words_of(morbot("shell", docker=WORKING, RUNTIMES="nvidia:{}")[2], "docker run")
-
-
-def test_a_podman_without_root_keeps_the_users_id(morbot):
-    started = words_of(morbot("shell", podman=PODMAN)[2], "podman run")
-    assert " --user 1234:1234 --userns keep-id --group-add keep-groups " in started
-
-
-def test_a_docker_that_is_podman_is_podman(morbot):
-    assert morbot("shell", docker=PODMAN, podman=PODMAN)[2][-1].startswith("podman exec ")
+    bind(jetson)
+    assert started(morbot("shell", docker=WORKING, RUNTIMES="nvidia:{}")[2])
 
 
 @pytest.mark.parametrize("system, server, base", [
@@ -189,29 +174,24 @@ def test_a_docker_that_is_podman_is_podman(morbot):
     (JETPACK_4, "24.0.5", "docker.io/library/ros:noetic-ros-base-focal")])
 def test_the_image_is_one_that_the_docker_can_run(morbot, system, server, base):
     commands = morbot("shell", system=system, docker={**WORKING, "server": server})[2]
-    assert f" BASE={base} " in words_of(commands, "docker build")
+    build, = (line for line in commands if line.startswith("docker build"))
+    assert f" BASE={base} --target system " in build
 
 
-@pytest.mark.parametrize("engines, advice", [
-    ({}, "with docker or podman, it runs in a container: https://podman.io/docs/installation\n"),
+@pytest.mark.parametrize("engines, sentence", [
+    ({}, NO_ROS + "with docker or podman, it runs in a container: https://podman.io/docs/installation\n"),
     ({"docker": {**WORKING, "ps": "echo 'permission denied while trying to connect' >&2; exit 1"}},
-     "docker is there, but closed to you: sudo usermod -aG docker pupil, and log in again\n"),
+     NO_ROS + "docker is there, but closed to you: sudo usermod -aG docker pupil, and log in again\n"),
     ({"docker": {**WORKING, "ps": "echo 'Is the docker daemon running?' >&2; exit 1"}},
-     "docker is there, but not running: sudo systemctl enable --now docker\n"),
-    ({"podman": {**PODMAN, "ps": "exit 125"}},
-     "podman is there, but does not work; see: podman ps\n")])
-def test_without_a_container_engine_one_sentence_says_what_to_type(morbot, engines, advice):
+     NO_ROS + "docker is there, but not running: sudo systemctl enable --now docker\n"),
+    ({"podman": {**PODMAN, "ps": "exit 125"}}, NO_ROS + "podman is there, but does not work; see: podman ps\n"),
+    ({"docker": {**WORKING, "build": "echo no network; false"}},
+     "no network\nmorbot: cannot build the image (see above); the first use needs the internet\n")],
+    ids=["none", "closed", "not running", "does not work", "no network"])
+def test_without_a_container_one_sentence_says_what_to_do(morbot, engines, sentence):
     code, printed, commands = morbot("run", **engines)
-    assert code == 1
-    assert printed == NO_ROS + advice
-    assert not [line for line in commands if line.split()[1] in ("build", "run", "exec")]
-
-
-def test_a_failed_build_of_the_image_ends_with_one_sentence(morbot):
-    code, printed, commands = morbot("run", docker={**WORKING, "build": "echo no network; false"})
-    assert code == 1
-    assert "no network\nmorbot: cannot build the image (see above); the first use needs the internet\n" in printed
-    assert not [line for line in commands if line.startswith("docker run")]
+    assert code == 1 and printed.endswith(sentence)
+    assert not [line for line in commands if line.split()[1] == "run" or f" {MORBOT} " in line]
 
 
 @pytest.fixture

@@ -20,12 +20,16 @@ TOOLS = {
 }
 
 
+def write_tools(folder, bodies):
+    for name, body in bodies.items():
+        (folder / name).write_text(f"#!/bin/sh\n{body}\n")
+        (folder / name).chmod(0o755)
+
+
 @pytest.fixture
 def install(tmp_path):
     """Return a function that runs ./morbot install on a system: (exit code, output, commands of the tools)."""
-    for name, body in TOOLS.items():
-        (tmp_path / name).write_text(f"#!/bin/sh\n{body}\n")
-        (tmp_path / name).chmod(0o755)
+    write_tools(tmp_path, TOOLS)
 
     def run(os_release, unknown="nothing", **environment):
         (tmp_path / "os-release").write_text(os_release.replace("; ", "\n"))
@@ -40,21 +44,21 @@ def install(tmp_path):
     return run
 
 
+UBUNTU = "ID=ubuntu; ID_LIKE=debian; VERSION_ID={}; VERSION_CODENAME={}; UBUNTU_CODENAME={}"
 DEBIAN_12 = "ID=debian; VERSION_ID=12; VERSION_CODENAME=bookworm"
-UBUNTU_20 = "ID=ubuntu; ID_LIKE=debian; VERSION_ID=20.04; VERSION_CODENAME=focal; UBUNTU_CODENAME=focal"
-UBUNTU_22 = "ID=ubuntu; ID_LIKE=debian; VERSION_ID=22.04; VERSION_CODENAME=jammy; UBUNTU_CODENAME=jammy"
-UBUNTU_24 = "ID=ubuntu; ID_LIKE=debian; VERSION_ID=24.04; VERSION_CODENAME=noble; UBUNTU_CODENAME=noble"
+UBUNTU_20, UBUNTU_22, UBUNTU_24, UBUNTU_25 = (UBUNTU.format(number, name, name) for number, name in (
+    ("20.04", "focal"), ("22.04", "jammy"), ("24.04", "noble"), ("25.10", "questing")))  # JetPack 5 is 20.04, too
+MINT = 'ID=linuxmint; ID_LIKE="ubuntu debian"; VERSION_CODENAME=una; UBUNTU_CODENAME={}'
 EVERYTHING = ""  # matches every package
+NO_ROS = "morbot: {} has no packages of ROS 1\n"
 
 
 @pytest.mark.parametrize("os_release", [
-    DEBIAN_12, UBUNTU_22,
-    "ID=debian; VERSION_ID=13; VERSION_CODENAME=trixie",
+    UBUNTU_22, UBUNTU_25, MINT.format("jammy"),
     "ID=debian; VERSION_CODENAME=forky",  # while it is testing
     "ID=raspbian; ID_LIKE=debian; VERSION_ID=13; VERSION_CODENAME=trixie",
-    'ID=linuxmint; ID_LIKE="ubuntu debian"; VERSION_ID=21.3; VERSION_CODENAME=virginia; UBUNTU_CODENAME=jammy',
     "ID=linuxmint; ID_LIKE=debian; VERSION_ID=6; VERSION_CODENAME=faye; DEBIAN_CODENAME=bookworm",
-    'ID=elementary; ID_LIKE="ubuntu debian"; VERSION_ID=7; VERSION_CODENAME=horus; UBUNTU_CODENAME=jammy'])
+    "ID=kali; ID_LIKE=debian; VERSION_ID=2025.4; VERSION_CODENAME=kali-rolling"])
 def test_systems_that_package_ros_themselves_and_their_derivatives(install, os_release):
     code, _, commands = install(os_release)
     assert code == 0
@@ -62,9 +66,7 @@ def test_systems_that_package_ros_themselves_and_their_derivatives(install, os_r
     assert "noetic" not in commands and "pip3" not in commands
 
 
-@pytest.mark.parametrize("os_release", [
-    UBUNTU_20,  # JetPack 5 too
-    'ID=linuxmint; ID_LIKE=ubuntu; VERSION_ID=20.3; VERSION_CODENAME=una; UBUNTU_CODENAME=focal'])
+@pytest.mark.parametrize("os_release", [UBUNTU_20, MINT.format("focal")])
 def test_noetic(install, os_release):
     code, _, commands = install(os_release)
     assert code == 0
@@ -85,75 +87,46 @@ def test_ros_o_where_it_is_installed_already(install, tmp_path):
     assert " ros-one-rospy " in commands and " python3-smbus2 " in commands and "pip3" not in commands
 
 
-def test_packages_that_exclude_ros_1_as_those_of_ros_2_do_are_left_as_they_are(install):
-    code, printed, commands = install(UBUNTU_22, CONFLICT="100")
-    assert code == 1
-    assert printed == "morbot: apt cannot install ROS 1 beside what is installed here, such as ROS 2\n"
-    assert "apt-get install -y" not in commands
-
-
-@pytest.mark.parametrize("os_release", [
-    "ID=kali; ID_LIKE=debian; VERSION_ID=2025.4; VERSION_CODENAME=kali-rolling",
-    "ID=ubuntu; ID_LIKE=debian; VERSION_ID=25.10; VERSION_CODENAME=questing; UBUNTU_CODENAME=questing",
-    "ID=ubuntu; ID_LIKE=debian; VERSION_ID=26.04; VERSION_CODENAME=resolute; UBUNTU_CODENAME=resolute"])
-def test_another_release_is_set_up_if_apt_knows_the_packages(install, os_release):
-    code, _, commands = install(os_release)
-    assert code == 0 and " python3-rospy " in commands
-    code, printed, _ = install(os_release, unknown=EVERYTHING)
-    assert code == 1 and printed.endswith(" has no packages of ROS 1\n")
-
-
-@pytest.mark.parametrize("os_release", [
-    UBUNTU_24,  # Debian's packages were removed just before its release: https://bugs.launchpad.net/bugs/2063103
-    'ID=linuxmint; ID_LIKE="ubuntu debian"; VERSION_ID=22; VERSION_CODENAME=wilma; UBUNTU_CODENAME=noble',
-    'ID=pop; ID_LIKE="ubuntu debian"; VERSION_ID=24.04; VERSION_CODENAME=noble; UBUNTU_CODENAME=noble'])
-def test_ubuntu_24_has_no_ros_1(install, os_release):
-    code, printed, commands = install(os_release, unknown="python3-rospy")
-    assert code == 1 and printed.endswith(" has no packages of ROS 1\n") and not commands
-
-
-@pytest.mark.parametrize("os_release", [
-    "ID=fedora; VERSION_ID=40; VERSION_CODENAME=''", "ID=arch", "ID=nixos; VERSION_CODENAME=warbler; VERSION_ID=25.05",
-    "ID=steamos; ID_LIKE=arch; VERSION_CODENAME=holo", ""])
-def test_a_system_without_ros_is_named_and_nothing_is_installed(install, os_release):
-    code, printed, commands = install(f"{os_release}; PRETTY_NAME='This one'" if os_release else "")
-    assert code == 1
-    assert printed.endswith(f"morbot: {'This one' if os_release else os.uname().sysname} has no packages of ROS 1\n")
-    assert not commands
-
-
-@pytest.mark.parametrize("os_release, name", [
-    ("ID=mine; PRETTY_NAME=My Own Linux", "My Own Linux"), ("ID=fedora\r; PRETTY_NAME='Odd'\r", "Odd"),
-    ("ID=mine; PATH=/nowhere; exit 3; PRETTY_NAME='$(echo Odd)'", "$(echo Odd)"),
-    ("{{}; ID=\"mine; PRETTY_NAME=Odd", "Odd")])
-def test_a_damaged_description_of_the_system_is_read_and_not_run(install, os_release, name):
-    code, printed, _ = install(os_release)
-    assert (code, printed) == (1, f"morbot: {name} has no packages of ROS 1\n")
+@pytest.mark.parametrize("os_release, unknown, sentence", [
+    # Debian's packages were removed just before the release of Ubuntu 24.04: https://bugs.launchpad.net/bugs/2063103
+    (f"{UBUNTU_24}; PRETTY_NAME=Noble", "python3-rospy", NO_ROS.format("Noble")),
+    (f"{MINT.format('noble')}; PRETTY_NAME=Wilma", "python3-rospy", NO_ROS.format("Wilma")),
+    (f"{UBUNTU_25}; PRETTY_NAME=Questing", EVERYTHING, NO_ROS.format("Questing")),
+    ("ID=fedora; VERSION_CODENAME=''; PRETTY_NAME='This one'", "nothing", NO_ROS.format("This one")),
+    ("ID=steamos; ID_LIKE=arch; VERSION_CODENAME=holo; PRETTY_NAME=Odd", "nothing", NO_ROS.format("Odd")),
+    ("", "nothing", NO_ROS.format(os.uname().sysname)),
+    # a damaged description of the system is read, and not run
+    ("ID=fedora\r; PRETTY_NAME='Odd'\r", "nothing", NO_ROS.format("Odd")),
+    ("ID=mine; PATH=/nowhere; exit 3; PRETTY_NAME='$(echo Odd)'", "nothing", NO_ROS.format("$(echo Odd)")),
+    ("{{}; ID=\"mine; PRETTY_NAME=Odd", "nothing", NO_ROS.format("Odd")),
+    # apt does not know what such a system has
+    (UBUNTU_20, "ros-noetic-", "; first add the source of ROS Noetic: http://wiki.ros.org/noetic/Installation/Ubuntu\n"),
+    (UBUNTU_22, "python3-rospy", "morbot: apt cannot find python3-rospy; try: sudo add-apt-repository universe\n"),
+    (DEBIAN_12, "python3-rospy", "morbot: apt cannot find python3-rospy\n")])
+def test_where_ros_cannot_be_had_one_sentence_says_so_and_nothing_is_installed(install, os_release, unknown, sentence):
+    code, printed, commands = install(os_release, unknown)
+    assert code == 1 and printed.endswith(sentence)
+    assert "apt-get install" not in commands
 
 
 def test_the_second_description_is_read_where_the_first_is_missing(install, tmp_path):
     (tmp_path / "vendors").write_text("ID=mine\nPRETTY_NAME=Odd")
-    assert install("", OS_RELEASE=f"/nowhere {tmp_path}/vendors")[1] == "morbot: Odd has no packages of ROS 1\n"
+    assert install("", OS_RELEASE=f"/nowhere {tmp_path}/vendors")[1] == NO_ROS.format("Odd")
 
 
-@pytest.mark.parametrize("os_release, unknown, sentence", [
-    (UBUNTU_20, "ros-noetic-", "; first add the source of ROS Noetic: http://wiki.ros.org/noetic/Install"),
-    (UBUNTU_22, "python3-rospy", "morbot: apt cannot find python3-rospy; try: sudo add-apt-repository universe\n"),
-    (DEBIAN_12, "python3-rospy", "morbot: apt cannot find python3-rospy\n")])
-def test_packages_that_apt_cannot_find_are_named_and_nothing_is_installed(install, os_release, unknown, sentence):
-    code, printed, commands = install(os_release, unknown)
-    assert code == 1
-    assert sentence in printed
-    assert "apt-get install" not in commands
+APT_FAILS = '[ "$1" = update ] || [ "$2" = --simulate ]'
+NO_SUDO = {"id": "echo 1000", "sudo": "exit 1"}
 
 
-def test_without_sudo_one_sentence_says_what_an_administrator_types(install, tmp_path):
-    (tmp_path / "id").write_text("#!/bin/sh\necho 1000\n")
-    (tmp_path / "sudo").write_text("#!/bin/sh\nexit 1\n")
-    (tmp_path / "sudo").chmod(0o755)
-    code, printed, commands = install(DEBIAN_12)
-    assert code == 1 and not commands
-    assert printed.endswith(f"morbot: an administrator must run this once: sudo {MORBOT} install\n")
+@pytest.mark.parametrize("tools, environment, sentence", [
+    ({}, {"CONFLICT": "100"}, "morbot: apt cannot install ROS 1 beside what is installed here, such as ROS 2\n"),
+    (NO_SUDO, {}, f"morbot: an administrator must run this once: sudo {MORBOT} install\n"),
+    ({"apt-get": APT_FAILS}, {}, "morbot: apt-get could not install these packages (see above)\n")],
+    ids=["ROS 2 is there", "no sudo", "apt fails"])
+def test_an_installation_that_fails_ends_with_one_sentence(install, tmp_path, tools, environment, sentence):
+    write_tools(tmp_path, tools)
+    code, printed, commands = install(DEBIAN_12, **environment)
+    assert code == 1 and printed.endswith(sentence) and "apt-get install -y" not in commands
 
 
 LAPTOP = """here=$1
@@ -165,21 +138,13 @@ has_modules() { false; }
 choose_python"""
 
 
-def test_on_a_laptop_without_sudo_the_sentence_installs_no_ros(install, tmp_path):
-    (tmp_path / "id").write_text("#!/bin/sh\necho 1000\n")
-    (tmp_path / "sudo").write_text("#!/bin/sh\nexit 1\n")
-    (tmp_path / "sudo").chmod(0o755)
+def test_on_a_laptop_without_sudo_the_sentence_installs_no_ros(tmp_path):
+    write_tools(tmp_path, {**TOOLS, **NO_SUDO})
     (tmp_path / "os-release").write_text(DEBIAN_12.replace("; ", "\n"))
     done = subprocess.run(["sh", "-euc", LAPTOP, "sh", str(ROOT)], stdout=subprocess.PIPE, text=True, check=False, env={
         **os.environ, "PATH": f"{tmp_path}:{os.environ['PATH']}", "OS_RELEASE": str(tmp_path / "os-release")})
     assert done.returncode == 1 and done.stdout == (
         "an administrator must run this once: sudo apt install python3-tornado python3-segno python3-zeroconf\n")
-
-
-def test_a_failed_installation_ends_with_one_sentence(install, tmp_path):
-    (tmp_path / "apt-get").write_text('#!/bin/sh\n[ "$1" = update ] || [ "$2" = --simulate ]\n')
-    code, printed, _ = install(DEBIAN_12)
-    assert code == 1 and printed.endswith("morbot: apt-get could not install these packages (see above)\n")
 
 
 @pytest.mark.parametrize("name", [
