@@ -1,33 +1,14 @@
-"""The benchmark's tables, and the wire that it measures on."""
+"""The wire that the benchmark measures on."""
 
 import sys
 import time
 import timeit
 from pathlib import Path
 
-import pytest
-
 from jetbot.fake.bus import FakeBus
 
 sys.path.append(str(Path(__file__).parents[2] / "bench"))
 import wire  # noqa: E402
-
-
-def test_a_table_has_medians_their_ratios_and_the_cases_of_a_quantity_together():
-    pytest.importorskip("rospy")
-    import bench
-
-    figures = {(quantity, case): {"driver": [2, 4, 3], "script": [30, 10, 2000], "floor": [floor]}
-               for case in ("10 Hz", "50 Hz") for quantity, floor in (("delay (ms)", 1.234), ("CPU (%)", 0))}
-    del figures["CPU (%)", "50 Hz"]["script"]
-    assert bench.table(figures).splitlines() == [
-        "|  |  | driver | script | floor | script : driver | driver : floor |",
-        "| --- | --- | ---: | ---: | ---: | ---: | ---: |",
-        "| delay (ms) | 10 Hz | 3 | 30 | 1.23 | 10 | 2.43 |",
-        "| delay (ms) | 50 Hz | 3 | 30 | 1.23 | 10 | 2.43 |",
-        "| CPU (%) | 10 Hz | 3 | 30 | 0 | 10 |  |",
-        "| CPU (%) | 50 Hz | 3 |  | 0 |  |  |"]
-    assert bench.table({("delay (ms)", ""): {"driver": [12345.6]}}).endswith("| delay (ms) |  | 12,346 |\n")
 
 
 def test_a_commands_bits_are_those_of_its_writes_until_the_registers_hold_it(monkeypatch):

@@ -4,7 +4,7 @@ import re
 from unicodedata import east_asian_width
 
 import pytest
-from languages import CODES, WWW, in_pages, in_scripts, keys, messages, read
+from languages import CODES, WWW, keys, messages, read
 
 NAMES = re.compile(r"\{\w+\}|%\d")
 LABELS = {"Stop": "Stop {robot}", "Release": "Release {robot}", "Undo": "Undo: {name}", "Copy": "Copy: {name}",
@@ -18,15 +18,10 @@ def test_each_language_can_be_chosen(code):
 
 
 @pytest.mark.parametrize("code", CODES)
-def test_each_sentence_of_the_pages_is_translated(code):
-    missing = "".join(f'\n  "{key}": "..."' for key in sorted(keys(code) - read(code).keys()))
-    assert not missing, f"write into www/languages/{code}.json:{missing}"
-
-
-@pytest.mark.parametrize("code", CODES)
-def test_there_is_no_translation_of_a_sentence_that_no_page_shows(code):
-    unused = "".join(f'\n  "{key}"' for key in sorted(read(code).keys() - keys(code)))
-    assert not unused, f"delete from www/languages/{code}.json:{unused}"
+def test_each_sentence_of_the_pages_is_translated_and_no_other(code):
+    missing, unused = keys(code) - read(code).keys(), read(code).keys() - keys(code)
+    assert not missing, f"write into www/languages/{code}.json: {sorted(missing)}"
+    assert not unused, f"delete from www/languages/{code}.json: {sorted(unused)}"
 
 
 @pytest.mark.parametrize("code", CODES)
@@ -57,7 +52,3 @@ def test_what_a_narrow_field_shows_is_short(code, english, width):
 def test_a_sentence_says_true_and_false_as_the_blocks_do(code):
     for word in ("true", "false"):
         assert messages(code)[f"LOGIC_BOOLEAN_{word.upper()}"] in read(code)[f"“{word}”"]
-
-
-def test_printing_on_paper_is_translated_apart_from_the_blocks_that_print():
-    assert "Print" in set(in_scripts()) - in_pages()

@@ -10,15 +10,6 @@ from jetbot.boards import BOARDS
 from jetbot_control_node.parameters import checked, load, resolve
 
 
-def test_defaults():
-    defaults = {
-        "board": "jetbot", "i2c_bus": 1, "cmd_vel_timeout": 1.0, "wheel_separation": 2.0, "max_speed": 1.0,
-        "left_motor_alpha": 1.0, "right_motor_alpha": 1.0, "swap_motors": False, "invert_left": False,
-        "invert_right": False, "min_duty": 0.0, "port": "/dev/ttyACM0", "i2c_address": None, "max_duty": 1.0,
-        "acceleration_limit": 0.0, "pwm_frequency": 1526, "publish_odom": False, "publish_tf": False}
-    assert {name: checked({})[name] for name in defaults} == defaults
-
-
 def test_a_given_value_counts_and_an_empty_one_is_not_given():
     assert checked({"max_speed": 2, "min_duty": ""}) == {**checked({}), "max_speed": 2}
 

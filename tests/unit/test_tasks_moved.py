@@ -50,16 +50,12 @@ def put(robot, *pose):
     robot._model.place(Pose(*pose))
 
 
-def in_small_steps(robot):
-    for number in range(1, 101):
-        put(robot, number / 100)
-        robot.drive(0.0, 0.0)
-
-
-def in_tiny_steps(robot):
-    for number in range(1, 1001):
-        put(robot, number / 1000)
-        robot.drive(0.0, 0.0, 0.02)
+def in_steps(count, seconds):
+    def forge(robot):
+        for number in range(1, count + 1):
+            put(robot, number / count)
+            robot.drive(0.0, 0.0, seconds)
+    return forge
 
 
 def while_the_wheels_turn(robot):
@@ -80,7 +76,8 @@ def to_its_heading(robot):
     put(robot, *robot.pose[:2], math.radians(3))
 
 
-@pytest.mark.parametrize("forge", [in_small_steps, in_tiny_steps, while_the_wheels_turn, to_the_goal, to_its_heading])
+@pytest.mark.parametrize("forge", [
+    in_steps(100, 0.05), in_steps(1000, 0.02), while_the_wheels_turn, to_the_goal, to_its_heading])
 def test_what_no_wheel_did_is_found(forge):
     robot = Robot()
     robot.drive(0.0, 0.0, 1.0)
