@@ -29,6 +29,18 @@ from jetbot.boards import BOARDS  # noqa: E402
 from jetbot.fake.bus import FakeBus  # noqa: E402
 
 
+def pytest_configure(config):
+    config.addinivalue_line("markers", "node: runs the page's scripts in Node")
+    config.addinivalue_line("markers", "shell: starts shell scripts or other programs, most of the time")
+
+
+def pytest_runtest_setup(item):
+    if item.get_closest_marker("node"):
+        from javascript import OLDEST, has_node
+        if not has_node():
+            pytest.skip(f"the page's scripts need Node {OLDEST} or later: sudo apt install nodejs")
+
+
 class CountedBus(FakeBus):
     """A fake bus that keeps a list of the bits of every transfer, and of the registers after it."""
 

@@ -3,6 +3,7 @@
 import os
 import shutil
 import subprocess
+from functools import lru_cache
 from pathlib import Path
 
 import pytest
@@ -19,10 +20,10 @@ def node(*arguments: object, input: str = "", cwd: Path = ROOT) -> "subprocess.C
                           stdout=subprocess.PIPE, text=True)
 
 
+@lru_cache(maxsize=None)
 def has_node() -> bool:
     """Return whether a Node is there that knows all that the tests use."""
     return bool(shutil.which("node")) and int(node("-p", "parseInt(process.versions.node)").stdout) >= OLDEST
 
 
-needs_node = pytest.mark.skipif(
-    not has_node(), reason=f"the page's scripts need Node {OLDEST} or later: sudo apt install nodejs")
+needs_node = pytest.mark.node  # skips in conftest.py, if there is none

@@ -8,6 +8,7 @@ import pytest
 
 from conftest import ROOT
 
+pytestmark = pytest.mark.shell
 COMMANDS = "run class test setup shell doctor calibrate check stop forget robot fleet help"
 
 

@@ -11,6 +11,7 @@ from fleet_robot import STATE, Saved, check_cut, make_world, wait
 
 SHELL = pwd.getpwuid(os.geteuid()).pw_shell  # which sshd starts, whatever it is to do
 pytestmark = [
+    pytest.mark.shell,
     pytest.mark.skipif(not shutil.which("sshd", path="/usr/sbin:/usr/bin"), reason="needs openssh-server"),
     pytest.mark.skipif(SHELL.endswith(("nologin", "false")), reason="needs a user who may log in")]
 DRIVEN = {"driver": {"id": 1, "name": "Ada", "said": None}}

@@ -10,6 +10,7 @@ import pytest
 
 from conftest import ROOT
 
+pytestmark = pytest.mark.shell
 MORBOT, ATTEND = ROOT / "morbot", ROOT / "docker/attend"
 WITHOUT_ROS = ["sh", "-c", MORBOT.read_text().replace("is_installed ||", "reason=nothing;"), MORBOT]
 FEDORA = 'ID=fedora\nVERSION_ID=40\nPRETTY_NAME="Fedora Linux 40"\n'

@@ -10,6 +10,7 @@ from robot_computer import KEY, RobotComputer
 
 from conftest import ROOT
 
+pytestmark = pytest.mark.shell
 NAMED = "jetbot_07", "--class", "7b"
 DROP_IN = "etc/systemd/system/jetbot.service.d/morbot.conf"
 AVAHI = "etc/avahi/services/morbot.service"

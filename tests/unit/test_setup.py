@@ -9,6 +9,7 @@ import pytest
 
 from conftest import ROOT
 
+pytestmark = pytest.mark.shell
 MORBOT = ROOT / "morbot"
 TOOLS = {
     "dpkg-query": "exit 1",                                        # nothing is installed yet

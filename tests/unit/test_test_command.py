@@ -9,6 +9,7 @@ import pytest
 from conftest import ROOT
 from jetbot.wait import wait_until
 
+pytestmark = pytest.mark.shell
 RUN = """. "$0"; here=.
 python3() { case "$*" in *tests/browser) echo $$ >>browser ;; *) %s ;; esac; }
 run_tests "$@" """
