@@ -110,6 +110,11 @@ def test_where_ros_cannot_be_had_one_sentence_says_so_and_nothing_is_installed(i
     assert "apt-get install" not in commands
 
 
+def test_apt_is_updated_before_it_is_said_not_to_know_packages(install, tmp_path):
+    write_tools(tmp_path, {"apt-cache": 'grep -q "apt-get update" "$LOG"'})
+    assert install(DEBIAN_12)[0] == 0
+
+
 def test_the_second_description_is_read_where_the_first_is_missing(install, tmp_path):
     (tmp_path / "vendors").write_text("ID=mine\nPRETTY_NAME=Odd")
     assert install("", OS_RELEASE=f"/nowhere {tmp_path}/vendors")[1] == NO_ROS.format("Odd")
