@@ -1,4 +1,4 @@
-"""The teacher's guides have each lesson, in plans that fill their hours, and quote what the software says.
+"""The teacher's guides have each lesson, and quote what the software says.
 
 What the lessons in a browser print in bold is on the page, in each language that they are in.
 """
@@ -32,9 +32,6 @@ IN_A_BROWSER = {code: LESSONS / code.replace("en", "") for code in ("en", "de", 
 FORM = re.compile(r"^(#+ |\||!\[| *- |\d\. |<details>|</details>|<br>)", re.MULTILINE)
 CODE = re.compile(r"```\w*\n(.*?)```|`([^`]+)`|<code>(.*?)</code>", re.DOTALL)
 FIELD = "\0"
-PLANS = {int(hours): [int(row[column]) for row in table[2:]]
-         for table in TABLES for column, (hours, *unit) in enumerate(cell.split() for cell in table[0])
-         if unit in (["hours"], ["hour"])}
 
 
 def texts_of(source):
@@ -63,11 +60,6 @@ def test_the_software_says_each_quoted_sentence(quote, texts):
     pattern = re.compile(".*".join(map(re.escape, fixed)), re.DOTALL | re.IGNORECASE)  # some begin after a prefix
     assert max(map(len, fixed)) > 8
     assert any(map(pattern.search, texts))
-
-
-def test_each_plan_fills_its_hours():
-    assert sorted(PLANS) == [1, 2, 4, 8, 16]
-    assert {hours: sum(minutes) for hours, minutes in PLANS.items()} == {hours: 60 * hours for hours in PLANS}
 
 
 @pytest.mark.parametrize("listing, folder, cells", [
