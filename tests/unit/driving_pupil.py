@@ -47,6 +47,7 @@ class Robot:
             self.time = len(self.samples) * STEP
 
 
+@lru_cache(None)
 def run(program, world=EMPTY, time_limit=60.0):
     """Let a program drive, for ``time_limit`` seconds at most, then stop for 4 s; return the samples."""
     robot = Robot(world)
@@ -195,7 +196,6 @@ SOLUTIONS = {
 }
 
 
-@lru_cache(None)
 def solution(name):
     """Return the samples of the model solution of a task, at 100 Hz."""
     assert name in SOLUTIONS, f"write into SOLUTIONS of tests/unit/driving_pupil.py: a program that drives {name!r}"
