@@ -12,7 +12,7 @@ from selenium.webdriver.common.options import ArgOptions
 from harness import START_TIMEOUT
 from jetbot.wait import wait_until
 from processes import end, free_port, start, start_display
-from web_client import connect
+from web_client import listens
 
 from .browser_processes import BrowserProcesses
 from .engine import WATCH, Engine
@@ -72,10 +72,3 @@ class Browser(ByWebDriver, BrowserProcesses, Engine):
         with self.all_killed(), suppress(WebDriverException, OSError):  # it was killed
             self.driver.quit()
         end([self._driver_process, self._display])
-
-
-def listens(port: int) -> bool:
-    """Return whether a program listens at this port of this computer."""
-    with suppress(OSError), connect(port):
-        return True
-    return False

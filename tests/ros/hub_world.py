@@ -55,8 +55,8 @@ class Control(StandIn):
 class Robot:
     """A robot's cockpit. identity: what it says that it is; instance: which start of it this is; socket: for a hub."""
 
-    def __init__(self, identity, instance="1", socket=HubSocket):
-        sockets = listen(0, lan=False)
+    def __init__(self, identity, instance="1", socket=HubSocket, port=0):
+        sockets = listen(port, lan=False)
         self.port, self.classroom = sockets[0].getsockname()[1], Classroom()
         self.control = Control(f"/{identity.robot}")
         access = Access(self.port, [], GRANTS)

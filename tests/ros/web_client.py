@@ -39,6 +39,13 @@ def connect(port: int, phone: str = "127.0.0.1", host: str = "127.0.0.1", timeou
     return socket.create_connection((host, port), timeout, (phone, 0))
 
 
+def listens(port: int) -> bool:
+    """Return whether a program listens at this port of this computer."""
+    with contextlib.suppress(OSError), connect(port):
+        return True
+    return False
+
+
 def page_headers(port: int, name: str = "localhost", cookie: str = "", **headers: Optional[str]) -> Dict[str, str]:
     """Return the headers of a page that was opened by this name, and others: _ stands for -; None leaves one out.
 

@@ -1,23 +1,24 @@
-"""A robot that ./morbot fleet reaches: a real sshd, a home of its own, and a service that talks as a cockpit does."""
+"""A robot that ./morbot fleet reaches: a real sshd, a home of its own, and a cockpit's server; and a laptop."""
 
-import contextlib
 import json
 import os
 import shutil
-import signal
-import socket
 import subprocess
-import sys
-import time
+import threading
 from pathlib import Path
 
+from hub_world import Robot as Cockpit
+
+from jetbot.wait import wait_until
+from jetbot_class.fleet import commands, install
+from jetbot_cockpit.remote.identity import Identity
+from jetbot_cockpit.web import hub_socket
 from processes import end, free_port, start
+from web_client import listens
 
 ROOT = Path(__file__).resolve().parents[2]
-PACKAGES = ROOT / "morbot_ws/src"
-CHECKOUT = "jetbot", "jetbot_ros", "jetbot_cockpit", "jetbot_class", "jetbot_control_node"  # for ./morbot fleet
 COMMANDS = ("git", "tar", "mkdir", "ln", "mv", "touch", "sync", "rm", "readlink", "df", "flock", "cat", "systemctl")
-STATE = {"status": "stopped", "state": "stopped", "answers": True, "driver": None, "program": "", "health": None}
+STATE = {"status": "stopped", "state": "stopped", "driver": None}
 TIMEOUT = 120.0  # s, for a computer that does much else
 OWN_RUN = [] if os.geteuid() else [  # root's sshd wants a folder in /run, and gets a /run of its own
     "unshare", "--mount", "sh", "-c", 'mount -t tmpfs run /run && mkdir /run/sshd && exec "$@"', "sh"]
@@ -35,61 +36,18 @@ case $1 in
         echo "robot $2 $3 $4 $5" >>"$HOME/calls"
         [ "$2" != --off ] || { rm "$HOME/.local/share/morbot/current"; exit; }
         cat >"$HOME/key"
-        echo "$2 $4 ${5#*=}" >"$HOME/identity"
+        echo "$2 $4" >"$HOME/identity"
         ln -sfn "$here" "$HOME/.local/share/morbot/current"
         systemctl restart ;;
 esac
 """
-SYSTEMCTL = """#!/bin/sh
+ORDER = "echo {order} >{folder}/orders && read -r done <{folder}/done"  # to Robot's thread, until it has obeyed
+SYSTEMCTL = f"""#!/bin/sh
 echo "systemctl $*" >>"$HOME/calls"
-[ ! -e "$HOME/pid" ] || kill "$(cat "$HOME/pid")" 2>/dev/null
-setsid {python} "$HOME/.local/share/morbot/current/serve.py" >>"$HOME/log" 2>&1 </dev/null &
-echo $! >"$HOME/pid"
+{ORDER.replace("{order}", "restart")}
 """
-SERVE = '''"""Answers a hub as the cockpit of a robot does: challenge, proof, state, pong."""
-import json
-import sys
-from pathlib import Path
-
-folder = Path(__file__).resolve().parent
-for source in (folder / "morbot_ws/src").glob("*/src"):
-    sys.path.insert(0, str(source))
-from jetbot_cockpit.remote.key import HUB, ROBOT, new_nonce, proof, proves
-from jetbot_cockpit.remote.version import version_of
-from tornado.ioloop import IOLoop
-from tornado.web import Application
-from tornado.websocket import WebSocketHandler
-
-HOME = Path.home()
-if (folder / "does_not_start").exists():
-    sys.exit("this version does not start")
-robot, class_name, port = (HOME / "identity").read_text().split()
-key = (HOME / "key").read_text()
-
-
-class Hub(WebSocketHandler):
-    def open(self):
-        self.challenge = {"type": "challenge", "robot": robot, "class": class_name, "nonce": new_nonce(),
-                          "instance": "1"}
-        self.write_message(self.challenge)
-
-    def on_message(self, text):
-        message = json.loads(text)
-        if message["type"] == "answer":
-            assert proves(message["proof"], key, HUB, self.challenge, message)
-            self.write_message({"type": "proof", "proof": proof(key, ROBOT, self.challenge, message),
-                                "version": version_of(folder)})
-            self.write_message({"type": "state", "emergency": False,
-                                "robots": {f"/{robot}": json.loads((HOME / "state").read_text())}})
-        elif message["type"] == "ping":
-            self.write_message({"type": "pong", "sent": message["sent"]})
-
-
-Application([("/hub", Hub)]).listen(int(port), "127.0.0.1", reuse_port=True)  # its predecessor may still be ending
-IOLoop.current().start()
-'''
 # Everything of the robot's side ends here, at the command that "cut" counts down to: its switch was turned off.
-COUNTED = """#!/bin/sh
+COUNTED = f"""#!/bin/sh
 if [ -e "$HOME/cut" ]; then
     exec 8>"$HOME/counts"  # those of a pipe one after the other
     /usr/bin/flock 8
@@ -97,12 +55,22 @@ if [ -e "$HOME/cut" ]; then
     echo $left >"$HOME/cut"
     if [ $left -le 0 ]; then
         /bin/rm "$HOME/cut"
-        [ ! -e "$HOME/pid" ] || kill -9 "$(/bin/cat "$HOME/pid")"
+        {ORDER.replace("{order}", "off")}
         kill -9 0
     fi
     exec 8>&-
 fi
-exec {command} "$@"
+exec {{command}} "$@"
+"""
+SSHD = """Port {port}
+ListenAddress 127.0.0.1
+HostKey {folder}/host_key
+AuthorizedKeysFile {folder}/id.pub
+PermitRootLogin yes
+StrictModes no
+UsePAM no
+PidFile none
+ForceCommand {folder}/login
 """
 
 
@@ -114,47 +82,65 @@ def write(path, text, mode=0o755):
 
 
 class Robot:
-    """Its home, its sshd, its service. commands: first on its PATH."""
+    """Its home, its sshd, and its service: the server of a cockpit, in a thread that obeys systemctl."""
 
     def __init__(self, folder, systemctl=SYSTEMCTL):
         self.home, self.port, self.ssh_port = folder / "robot", free_port(), free_port()
-        self._folder, self._sshd = folder, None
+        self._folder, self._sshd, self._cockpit = folder, None, None
         self.home.mkdir()
         self.says()
-        self.commands = folder / "commands"
-        values = {"python": sys.executable, "port": self.port, "master": free_port()}
-        service = write(folder / "systemctl", systemctl.format(**values))
+        service = write(folder / "systemctl", systemctl.format(folder=folder, port=self.port, master=free_port()))
         for name in COMMANDS:
             real = service if name == "systemctl" else "/bin/true" if name == "sync" else shutil.which(name)
-            write(self.commands / name, COUNTED.format(command=real))
-        write(self.commands / "journalctl", '#!/bin/sh\necho "journalctl $*"\n')
-        write(self.commands / "sudo", '#!/bin/sh\nexec "$@"\n')  # where the tests are a user's
-        write(folder / "login", f'#!/bin/sh\nexport HOME={self.home} PATH={self.commands}:/usr/bin:/bin\ncd\n'
+            write(folder / "commands" / name, COUNTED.format(folder=folder, command=real))
+        write(folder / "commands/journalctl", '#!/bin/sh\necho "journalctl $*"\n')
+        write(folder / "commands/sudo", '#!/bin/sh\nexec "$@"\n')  # where the tests are a user's
+        write(folder / "login", f'#!/bin/sh\nexport HOME={self.home} PATH={folder}/commands:/usr/bin:/bin\ncd\n'
                                 'exec sh -c "$SSH_ORIGINAL_COMMAND"\n')
         make_key(folder / "host_key")
+        for name in "orders", "done":
+            os.mkfifo(folder / name)
+        self._systemd = threading.Thread(target=self._obey, daemon=True)
+        self._systemd.start()
         self.start_sshd()
 
     def start_sshd(self):
-        config = write(self._folder / "sshd_config", f"""
-Port {self.ssh_port}
-ListenAddress 127.0.0.1
-HostKey {self._folder}/host_key
-AuthorizedKeysFile {self._folder}/id.pub
-PermitRootLogin yes
-StrictModes no
-UsePAM no
-PidFile none
-ForceCommand {self._folder}/login
-""")
+        config = write(self._folder / "sshd_config", SSHD.format(port=self.ssh_port, folder=self._folder))
         self._sshd = start([*OWN_RUN, "/usr/sbin/sshd", "-D", "-e", "-f", str(config)], self._folder / "sshd.log")
-        wait(lambda: accepts(self.ssh_port), self._sshd.log.read_text)
+        assert wait_until(lambda: listens(self.ssh_port), TIMEOUT), self._sshd.log.read_text()
 
     def stop_sshd(self):
         end([self._sshd])
 
+    def _obey(self):
+        for order in iter((self._folder / "orders").read_text, "end"):
+            (self.boot if order == "restart\n" else self.switch_off)()
+            (self._folder / "done").write_text("done\n")
+
+    def switch_off(self):
+        if self._cockpit:
+            self._cockpit.server.end()
+            self._cockpit = None
+
+    def boot(self):
+        """Start what starts with the computer."""
+        self.switch_off()
+        version = (self.morbot / "current").resolve()
+        if not (version / "does_not_start").exists():
+            hub_socket.VERSION = version.name
+            name, class_name = (self.home / "identity").read_text().split()
+            key = (self.home / "key").read_text()
+            self._cockpit = Cockpit(Identity(name, class_name, key), port=self.port)
+            state = self._cockpit.control.state()
+            row, = state["robots"].values()
+            self._cockpit.control.state = lambda: {**state, "robots": {f"/{name}": {**row, **self._said()}}}
+
     def says(self, **state):
-        """Let its next cockpit say this."""
+        """Let its cockpit say this."""
         (self.home / "state").write_text(json.dumps({**STATE, **state}))
+
+    def _said(self):
+        return json.loads((self.home / "state").read_text())
 
     def cut_at(self, number):
         """Turn it off at the command with this number from now on."""
@@ -162,13 +148,6 @@ ForceCommand {self._folder}/login
 
     def was_cut(self):
         return not (self.home / "cut").exists()
-
-    def boot(self):
-        """Start it again, as systemd does, and wait until it answers."""
-        (self.home / "cut").unlink(missing_ok=True)
-        subprocess.run([str(self._folder / "systemctl"), "boot"], check=True,
-                       env={**os.environ, "HOME": str(self.home)})
-        wait(lambda: accepts(self.port), (self.home / "log").read_text)
 
     @property
     def morbot(self):
@@ -188,24 +167,16 @@ ForceCommand {self._folder}/login
 
     def close(self):
         self.stop_sshd()
-        self.end_service()
-
-    def end_service(self):
-        if not (self.home / "pid").exists():
-            return
-        group = int((self.home / "pid").read_text())
-        with contextlib.suppress(ProcessLookupError):
-            os.killpg(group, signal.SIGTERM)
-            with contextlib.suppress(AssertionError):
-                wait(lambda: os.killpg(group, 0), timeout=20.0)  # until there is none
-            os.killpg(group, signal.SIGKILL)
+        (self._folder / "orders").write_text("end")
+        self._systemd.join()
+        self.switch_off()
 
 
 class Laptop:
-    """A checkout with commits of its own, and ./morbot fleet from there."""
+    """A checkout with commits of its own, and ./morbot fleet from there, in this process."""
 
-    def __init__(self, folder, robot, fill):
-        self.home, self.checkout, self.robot = folder / "laptop", folder / "checkout", robot
+    def __init__(self, folder, robot, fill, patch):
+        self.home, self.checkout = folder / "laptop", folder / "checkout"
         self.home.mkdir()
         make_key(folder / "id")
         self.public_key = (folder / "id.pub").read_text().split()[1]
@@ -214,7 +185,10 @@ class Laptop:
         self._ssh_log = folder / "ssh_arguments"
         write(folder / "bin/ssh", f'#!/bin/sh\necho "$*" >>{self._ssh_log}\n'
                                   f'exec {shutil.which("ssh")} -F {config} "$@"\n')
-        self.environment = {**os.environ, "HOME": str(self.home), "PATH": f"{folder}/bin:{os.environ['PATH']}"}
+        patch.setenv("HOME", str(self.home))
+        patch.setenv("PATH", f"{folder}/bin", prepend=os.pathsep)
+        for module in commands, install:
+            patch.setattr(module, "ROOT", self.checkout)
         fill(self.checkout)
         self.git("init", "-q")
         self.commit("first")
@@ -231,109 +205,67 @@ class Laptop:
         self.git("commit", "-q", "--allow-empty", "-m", message)
         return self.git("rev-parse", "HEAD")
 
-    def without(self, name):
-        """Make a version without a file; return its commit."""
-        (self.checkout / name).unlink()
-        return self.commit(f"without {name}")
-
     def ssh_arguments(self):
         """Return what ssh was given at all of its starts, without the dashes of keys that people type."""
         return self._ssh_log.read_text().replace("-", "")
 
-    def fleet(self, *arguments, **environment):
-        """Type a command; return (exit code, all that it printed)."""
-        with self.begin(*arguments, **environment) as running:
-            said, _ = running.communicate(timeout=400)
-        return running.returncode, said
 
-    def begin(self, *arguments, **environment):
-        """Type a command; return its process."""
-        return subprocess.Popen([sys.executable, str(self.checkout / "morbot_ws/src/jetbot_class/scripts/fleet.py"),
-                                 *arguments], env={**self.environment, **environment}, stdin=subprocess.DEVNULL,
-                                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+class World:
+    """A robot and a laptop. patch: for the environment of ./morbot fleet; fill: makes the first version."""
 
+    def __init__(self, folder, patch, systemctl=SYSTEMCTL, fill=None):
+        self._folder, self.robot = folder, Robot(folder, systemctl)
+        try:
+            self.laptop = Laptop(folder, self.robot, fill or small_version, patch)
+        except BaseException:
+            self.close()
+            raise
 
-class Saved:
-    """A robot and its laptop as they are now, for tests that each begin with them."""
-
-    def __init__(self, robot, laptop):
-        self.robot, self._folder = robot, robot.home.parent
-        self._names = [path.name for path in (robot.home, laptop.home, laptop.checkout)]
-        self._calls = robot.calls()
-        for name in self._names:
-            shutil.copytree(self._folder / name, self._folder / "saved" / name, symlinks=True)
+    def copy(self, source, to):
+        """Copy both computers between the folders "." and "saved"."""
+        for name in "robot", "laptop", "checkout":
+            shutil.rmtree(self._folder / to / name, ignore_errors=True)
+            shutil.copytree(self._folder / source / name, self._folder / to / name, symlinks=True)
 
     def restore(self):
-        """Let both be as they were, and the service and sshd run."""
-        pid = self._folder / "saved" / self.robot.home.name / "pid"
-        is_other = not accepts(self.robot.port) or (self.robot.home / "pid").read_text() != pid.read_text()
-        if is_other:
-            self.robot.end_service()
-        for name in self._names:
-            shutil.rmtree(self._folder / name)
-            shutil.copytree(self._folder / "saved" / name, self._folder / name, symlinks=True)
-        if is_other:
-            self.robot.boot()
-            shutil.copy(self.robot.home / "pid", pid)
-            (self.robot.home / "calls").write_text("".join(f"{call}\n" for call in self._calls))
-        if not accepts(self.robot.ssh_port):
+        """Let both be as they were saved, and the service and sshd run."""
+        self.robot.switch_off()
+        self.copy("saved", ".")
+        self.robot.boot()
+        if not listens(self.robot.ssh_port):
             self.robot.start_sshd()
+
+    def close(self):
+        self.robot.close()
 
 
 def make_key(path):
     subprocess.run(["ssh-keygen", "-q", "-t", "ed25519", "-N", "", "-f", str(path)], check=True)
 
 
-def accepts(port):
-    """Return whether a program listens at this port."""
-    with socket.socket() as probe:
-        return probe.connect_ex(("127.0.0.1", port)) == 0
-
-
-def wait(condition, explanation=str, timeout=TIMEOUT):
-    """Wait until something is so."""
-    ends_at = time.monotonic() + timeout
-    while not condition():
-        assert time.monotonic() < ends_at, explanation()
-        time.sleep(0.02)
-
-
 def small_version(checkout):
-    """Fill a checkout with what ./morbot fleet needs, and a service that takes no time to build."""
-    for package in CHECKOUT:
-        for part in ("src", "scripts", "launch"):
-            if (PACKAGES / package / part).exists():
-                shutil.copytree(PACKAGES / package / part, checkout / "morbot_ws/src" / package / part,
-                                ignore=shutil.ignore_patterns("__pycache__"))
+    """Fill a checkout with what ./morbot fleet needs, and nothing that takes time to build."""
     write(checkout / "morbot", MORBOT)
-    write(checkout / "serve.py", SERVE)
     write(checkout / "last_file", "")
+    (checkout / "morbot_ws").mkdir()
+    (checkout / "morbot_ws/src").symlink_to(ROOT / "morbot_ws/src")  # the arguments that a robot may be given
 
 
-def make_world(folder: Path, systemctl=SYSTEMCTL, fill=small_version):
-    """Return (robot, laptop). fill: makes the first version in the laptop's checkout."""
-    robot = Robot(folder, systemctl)
-    try:
-        return robot, Laptop(folder, robot, fill)
-    except BaseException:
-        robot.close()
-        raise
-
-
-def check_cut(robot, laptop, moment):
+def check_cut(world, moment):
     """Turn the robot off at a command of an update; return whether there was one: it starts whole, and can be updated.
 
     moment: the number of the command.
     """
+    robot, laptop = world.robot, world.laptop
     before = robot.current()
     new = laptop.commit(f"cut at {moment}", news=str(moment))
     robot.cut_at(moment)
-    code, said = laptop.fleet("update", "--within", "1")
+    code = commands.main(["update", "--within", "1"])
     was_cut = robot.was_cut()
-    assert (code == 1) == was_cut, said
+    assert (code == 1) == was_cut
     assert robot.current() in (before, new)
+    (robot.home / "cut").unlink(missing_ok=True)
     robot.boot()
-    code, said = laptop.fleet("update")
-    assert code == 0 and robot.current() == new, said
+    assert commands.main(["update"]) == 0 and robot.current() == new
     assert robot.versions() == {before, new}
     return was_cut
