@@ -3,7 +3,7 @@
 import asyncio
 import json
 import threading
-from typing import List, Optional
+from typing import Optional
 
 from network import Host
 from school import CLASS
@@ -12,9 +12,8 @@ from tornado.netutil import bind_sockets
 from tornado.web import Application
 from tornado.websocket import WebSocketClosedError, WebSocketHandler
 
-from jetbot_cockpit.remote.key import HUB, ROBOT, new_nonce, proof
+from jetbot_cockpit.remote.key import ROBOT, new_nonce, proof
 from jetbot_ros.contract import COCKPIT_PORT
-from web_client import WebSocket
 
 BURST, BURST_INTERVAL = 20, 0.01  # messages, s
 FLOOD = json.dumps({"type": "notice", "code": "x", "arguments": {}, "text": "x" * 200, "template": "x"})
@@ -73,19 +72,3 @@ class Claim(WebSocketHandler):
                 await asyncio.sleep(BURST_INTERVAL)
         except WebSocketClosedError:
             pass
-
-
-def answers(host: Host, address: str, key: str, recorded: Optional[dict] = None) -> List[dict]:
-    """Answer a robot's challenge as a hub, with this answer if one is given; return that, and what the robot says then.
-
-    Raise Closed if it refuses.
-    """
-    socket = host.call(WebSocket, COCKPIT_PORT, {"Host": f"{address}:{COCKPIT_PORT}"}, "", address, "/hub")
-    try:
-        challenge = socket.receive("challenge")
-        said = {"type": "answer", "nonce": new_nonce(), "address": f"{address}:{COCKPIT_PORT}"}
-        answer = recorded or {**said, "proof": proof(key, HUB, challenge, said)}
-        socket.send(answer)
-        return [answer, socket.receive()]
-    finally:
-        socket.close()
