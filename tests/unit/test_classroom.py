@@ -63,15 +63,6 @@ def kept(programs, robot="/red"):
     return {row["id"]: programs.open(robot, row["id"]).program for row in programs.rows(robot) if not row["deleted"]}
 
 
-def test_a_program_is_there_again_at_the_next_start(classes):
-    programs = Programs(classes())
-    save(programs, name="Größer 🙂 <b>")
-    assert save(programs, version=1, name="Größer 🙂 <b>", program=CIRCLE).version == 2
-    again = Programs(classes())
-    assert again.open("/red", IDS[0]) == Program(IDS[0], "/red", "Größer 🙂 <b>", 2, 2, False, CIRCLE)
-    assert save(again, IDS[1]).changed == 3
-
-
 def test_without_a_name_a_class_ends_with_the_cockpit(tmp_path, monkeypatch):
     monkeypatch.setenv("HOME", str(tmp_path))
     classroom = open_classroom("~/classes", "")
@@ -134,13 +125,6 @@ def test_each_version_can_be_opened_and_the_newest_in_place_of_one_that_is_repla
     assert program.opened(2)["version"] == 2
 
 
-def test_a_change_of_a_deleted_program_brings_it_back(programs):
-    save(programs)
-    programs.delete("/red", IDS[0], True)
-    save(programs, version=1, program=CIRCLE)
-    assert kept(programs) == {IDS[0]: CIRCLE}
-
-
 def test_what_1_2_has_kept_is_read(classes):
     classes()
     (classes.path / f"program_{IDS[0]}.json").write_text(json.dumps({
@@ -162,16 +146,6 @@ def test_the_other_page_sees_that_something_has_changed(programs):
         change()
         seen.append(programs.changed("/red"))
     assert seen == sorted(set(seen)) and programs.changed("/blue") == 0
-
-
-def test_a_deleted_program_comes_back_by_undo_also_after_a_restart(classes):
-    programs = Programs(classes())
-    save(programs)
-    programs.delete("/red", IDS[0], True)
-    programs = Programs(classes())
-    assert kept(programs) == {} and programs.rows("/red")[0]["deleted"]
-    programs.delete("/red", IDS[0], False)
-    assert kept(Programs(classes())) == {IDS[0]: SQUARE}
 
 
 def test_no_robot_reads_or_changes_another_ones_programs(programs):
@@ -303,13 +277,6 @@ def test_whatever_fails_while_saving_the_old_version_or_the_new_one_is_there(cla
     assert failures
 
 
-def test_what_a_killed_cockpit_left_half_written_is_gone_at_the_next_start(classes):
-    classes()
-    (classes.path / ".0123456789abcdef.new").write_text("{")
-    classes()
-    assert not list(classes.path.iterdir())
-
-
 def test_a_program_is_on_the_disk_before_it_is_answered(classes, monkeypatch):
     programs, synced, fsync = Programs(classes()), [], os.fsync
     monkeypatch.setattr(os, "fsync", lambda file: fsync(file) or synced.append(os.readlink(f"/proc/self/fd/{file}")))
@@ -435,12 +402,6 @@ def test_a_class_has_another_id_once_one_of_its_name_was_deleted(classes, tmp_pa
     classes.end()
     forget("7b", "--classes", tmp_path, home=tmp_path)
     assert is_id(Classroom(classes()).id) and Classroom(classes()).id != first
-
-
-def test_a_class_that_is_not_kept_has_no_id(classes, monkeypatch):
-    folder = classes()
-    monkeypatch.setattr(folder, "write", Mock(side_effect=OSError(errno.ENOSPC, "No space left on device")))
-    assert Classroom(folder).id is None and open_classroom("~/classes", "").id is None
 
 
 def test_a_class_is_forgotten_but_not_while_a_cockpit_has_it(classes, tmp_path):

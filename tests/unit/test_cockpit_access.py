@@ -38,54 +38,40 @@ def test_a_code_may_be_typed_in_small_letters_and_with_spaces(access):
     assert (grant.role, grant.robot) == ("pupil", "/jetbot_02")
 
 
-def test_five_wrong_codes_a_minute_from_one_browser(access):
-    code = code_of("teacher")
-    for second in range(5):
-        assert access.log_in("WRONG", PUPILS_ADDRESS, None, now=second) is None
-    with pytest.raises(TooManyTries):
-        access.log_in(code, PUPILS_ADDRESS, None, now=59.9)
-    assert access.log_in(code, OTHER_ADDRESS, None, now=59.9)
-    assert access.log_in(code, PUPILS_ADDRESS, None, now=60.0)
-
-
-def test_wrong_codes_of_one_browser_lock_out_no_other_behind_the_same_router(access):
-    for second in range(5):
-        access.log_in("WRONG", PUPILS_ADDRESS, "one", now=second)
-    with pytest.raises(TooManyTries):
-        access.log_in(code_of("jetbot_01"), PUPILS_ADDRESS, "one", now=5.0)
-    assert access.log_in(code_of("jetbot_01"), PUPILS_ADDRESS, "another", now=5.0)
-
-
-def try_wrong_codes(access, count, peer=PUPILS_ADDRESS, now=0.0):
-    """Try so many, each with a new cookie; return how many were compared."""
+def try_wrong_codes(access, count, peer=PUPILS_ADDRESS, cookie="browser {}"):
+    """Try so many, by default each with a new cookie; return how many were compared."""
     compared = 0
     for number in range(count):
         with contextlib.suppress(TooManyTries):
-            access.log_in("WRONG", peer, f"browser {number}", now)
+            access.log_in("WRONG", peer, cookie and cookie.format(number), now=number / 1000)
             compared += 1
     return compared
 
 
-def test_new_cookies_give_an_address_no_more_tries_and_lock_out_no_other(access):
-    assert try_wrong_codes(access, 1000) == MAX_WRONG_AT_ADDRESS
-    with pytest.raises(TooManyTries):
-        access.log_in(code_of("teacher"), PUPILS_ADDRESS, "another", now=59.9)
-    assert access.log_in(code_of("teacher"), OTHER_ADDRESS, "browser 1", now=59.9)
-    assert access.log_in(code_of("teacher"), PUPILS_ADDRESS, "browser 1", now=60.0)
+@pytest.mark.parametrize("count, compared, cookie, out, let_in", [
+    (9, 5, None, [(PUPILS_ADDRESS, None)], [(OTHER_ADDRESS, None), (PUPILS_ADDRESS, "another")]),
+    (9, 5, "one", [(PUPILS_ADDRESS, "one")], [(PUPILS_ADDRESS, None), (PUPILS_ADDRESS, "another")]),
+    (9, 5, OTHER_ADDRESS, [], [(OTHER_ADDRESS, None), (OTHER_ADDRESS, OTHER_ADDRESS)]),
+    (9, 5, "theirs", [], [(OTHER_ADDRESS, "theirs")]),
+    (1000, MAX_WRONG_AT_ADDRESS, "new {}", [(PUPILS_ADDRESS, "another")], [(OTHER_ADDRESS, "new 1")])],
+    ids=["without a cookie", "of one browser", "with another's address", "with another's cookie", "with new cookies"])
+def test_wrong_codes_lock_out_who_sends_them_for_a_minute_and_nobody_else(access, count, compared, cookie, out, let_in):
+    cookie_given = access.log_in(code_of("jetbot_01"), PUPILS_ADDRESS, "one", now=0.0).cookie
+    assert try_wrong_codes(access, count, cookie=cookie) == compared
+    for sender in out:
+        with pytest.raises(TooManyTries):
+            access.log_in(code_of("teacher"), *sender, now=59.9)
+    for sender in let_in:
+        assert access.log_in(code_of("teacher"), *sender, now=59.9)
+    for sender in out:
+        assert access.log_in(code_of("teacher"), *sender, now=61.0)
+    assert access.grant(cookie_given, PUPILS_ADDRESS, "robot.local:8080").label == "jetbot_01", "who was in stays"
 
 
 def test_wrong_codes_of_many_addresses_lock_out_no_other(access):
     for number in range(250):
         assert try_wrong_codes(access, 5, f"10.0.0.{number}")
     assert access.log_in(code_of("teacher"), OTHER_ADDRESS, None, now=1.0)
-
-
-def test_a_cookie_that_is_another_phones_address_or_cookie_locks_that_out_neither(access):
-    for cookie in OTHER_ADDRESS, "theirs":
-        for _ in range(5):
-            access.log_in("WRONG", PUPILS_ADDRESS, cookie, now=0.0)
-    for cookie in None, OTHER_ADDRESS, "theirs":
-        assert access.log_in(code_of("jetbot_01"), OTHER_ADDRESS, cookie, now=1.0)
 
 
 def test_the_terminal_says_once_a_minute_which_addresses_are_refused(access):
@@ -98,14 +84,6 @@ def test_the_terminal_says_once_a_minute_which_addresses_are_refused(access):
     assert access.take_log(now=59.9) == []
     assert access.take_log(now=60.0) == ["too many wrong codes from 10.0.0.1 and another address: refused for a minute"]
     assert access.take_log(now=120.0) == []
-
-
-def test_wrong_codes_lock_out_nobody_who_is_in(access):
-    cookie = access.log_in(code_of("jetbot_01"), PUPILS_ADDRESS, "one", now=0.0).cookie
-    try_wrong_codes(access, 1000)
-    with pytest.raises(TooManyTries):
-        access.log_in(code_of("jetbot_01"), PUPILS_ADDRESS, "one", now=1.0)
-    assert access.grant(cookie, PUPILS_ADDRESS, "robot.local:8080").label == "jetbot_01"
 
 
 @pytest.mark.parametrize("grant", GRANTS, ids=lambda grant: grant.label)

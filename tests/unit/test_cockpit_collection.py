@@ -182,10 +182,3 @@ def test_a_disk_that_hangs_delays_nobody(folder, monkeypatch):
     assert answers == [None] * collections.MAX_WAITING + [say("pictures_busy")]
     resumes.set()
     wait_for(collection, free=collections.MAX_WAITING + 1)
-
-
-def test_a_folder_that_cannot_be_written_is_named(folder):
-    folder.write_text("a file")
-    collection = Collection(str(folder))
-    collection.save("/red", "free", b"x")
-    wait_for(collection, problem=say("picture_not_kept", problem="Not a directory", file=folder / "red/free").fields())

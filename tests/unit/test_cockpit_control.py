@@ -4,7 +4,6 @@ import pytest
 from cockpit_control import ADA, BOB, DRIVES, OWN, STANDS, STOPPED, TEACHER, FakeRobots
 
 from jetbot_cockpit.notices import say
-from jetbot_cockpit.session.lease import Lease
 from jetbot_cockpit.session.protocol import Message
 from jetbot_cockpit.session.rights import Client
 from jetbot_cockpit.session.snapshot import RobotSnapshot, Snapshot, TaskSnapshot
@@ -255,13 +254,6 @@ def test_each_stall_of_a_drivers_commands_counts_for_a_minute(driven):
     assert stalls() == {"/red": 2, "/blue": 0}
     driven.wait(61)
     assert stalls() == {"/red": 0, "/blue": 0}
-
-
-def test_the_switch_fires_0_3_s_after_the_last_command_and_never_while_the_robot_is_not_driven():
-    lease = Lease(ADA, 10.0, driving=True)
-    assert lease.remaining(10.1) == pytest.approx(0.2)
-    assert (lease.is_silent(10.29), lease.is_silent(10.31), lease.remaining(10.31)) == (False, True, 0)
-    assert not lease._replace(driving=False).is_silent(1e9)
 
 
 def test_a_stop_from_before_the_cockpit_stays_a_teachers_though_a_pupil_stops_before_the_robots_have_reported(driven):

@@ -24,11 +24,6 @@ FIXED = {"white": "#ffffff", "stop-pressed": "#b00f1d"}
 MODES = pytest.mark.parametrize("colors", [{**LIGHT, **FIXED}, {**LIGHT, **DARK, **FIXED}], ids=["light", "dark"])
 
 
-@pytest.mark.parametrize("name", ["pad", "speed", "stop", "release", "status", "robot", "map", "camera", "wheels"])
-def test_the_page_has_its_binding_ids(name):
-    assert PAGE.count(f'id="{name}"') == 1
-
-
 @pytest.mark.parametrize("page, scripts", [
     (PAGE, PADS), (PROGRAM, [*PROGRAMS, *(WWW / name for name in ("stops.js", "login.js", "link.js"))])],
     ids=["pad", "program"])
@@ -42,13 +37,6 @@ def test_each_element_that_a_script_uses_is_in_the_page(page, scripts):
     (PROGRAM, ["sentence", "notice"])], ids=["pad", "program"])
 def test_the_keyboard_reaches_each_text_that_scrolls(page, names):
     assert [name for name in names if not re.search(rf'id="{name}" class="scrolls"', page)] == []
-
-
-def test_each_file_that_is_loaded_exists():
-    loaded = {WWW / PAGES.get(name.strip("/"), name) for name in re.findall(r'(?:src|href)="([^"]+)"', PAGE + PROGRAM)}
-    imported = {script.parent / name for script in SCRIPTS
-                for name in re.findall(r'^(?!.*@import).*from "(\.[^"]+)"', script.read_text(), re.M)}
-    assert {file for file in loaded | imported if not file.is_file()} == set()
 
 
 def test_nothing_stands_inline_or_comes_from_another_host():

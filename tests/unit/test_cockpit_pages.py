@@ -10,7 +10,7 @@ from cockpit_control import FakeCameras
 from jetbot_cockpit.notices import say
 from jetbot_cockpit.robots.recording import MAX_ROWS, Recording
 from jetbot_cockpit.session import protocol
-from jetbot_cockpit.session.messages import LIMITS, MAX_BURST
+from jetbot_cockpit.session.messages import MAX_BURST
 from jetbot_cockpit.session.pages import FLOOD_PAUSE, MAX_CLIENTS, TOO_MANY, Pages
 from jetbot_cockpit.session.rights import PUPIL, TEACHER
 from jetbot_cockpit.session.viewers import PageOwner
@@ -100,14 +100,6 @@ def join(pages, role=TEACHER, now=0.0, code="", address="10.0.0.1"):
     return page, pages.join(page, role, None, PageOwner(code or role, address), now)
 
 
-def test_a_new_page_is_sent_all_that_it_shows(pages):
-    page, _ = join(pages, PUPIL)
-    pages.tick(0.0)
-    assert page.sent[0] == {"type": "hello", "id": 1, "name": "pupil 1", "role": "pupil", "robot": None,
-                            "codes": False, "limits": LIMITS}
-    assert page.types() == ["hello", "robots", "trail", "state"]
-
-
 def test_a_robot_that_comes_and_one_that_is_put_back_are_sent_to_all(pages, control):
     here = [join(pages)[0] for _ in range(2)]
     pages.tick(0.0)
@@ -165,17 +157,6 @@ def test_no_pupil_replaces_a_code_and_nobody_one_that_there_is_not(control):
         page, viewer = join(pages, role)
         pages.receive(viewer, text, 0.0)
         assert page.sent[-1] == protocol.notice(say(code)) and page.closed is None
-
-
-def test_after_its_disconnection_nothing_that_a_page_sends_counts_but_stops(pages, control):
-    page, viewer = join(pages)
-    pages.receive(viewer, "x", 0.0)
-    assert page.closed[0] == 4000 and control.left == [1]
-    for text in DRIVE, STOP, DRIVE:
-        pages.receive(viewer, text, 0.0)
-    pages.leave(viewer)
-    assert control.asked == [(1, protocol.Message("stop"))]
-    assert control.left == [1]
 
 
 @pytest.mark.parametrize("text, robot", [

@@ -1,11 +1,9 @@
 """The cockpit's parameters: what is refused, in one sentence."""
 
 import pytest
-from test_docs import rows
 
-from conftest import ROOT
 from jetbot import InvalidValue
-from jetbot_cockpit.cockpit_parameters import PARAMETERS, resolve
+from jetbot_cockpit.cockpit_parameters import resolve
 
 
 def test_by_default_only_this_computer_gets_in():
@@ -29,10 +27,3 @@ def test_a_name_is_a_host(name):
 def test_what_cannot_be_used_is_refused(typed):
     with pytest.raises(InvalidValue):
         resolve(typed)
-
-
-def test_the_documented_defaults_of_the_launch_arguments():
-    reference = {row[0].strip("`"): row[1].strip("`") for row in rows((ROOT / "docs/reference.md").read_text())}
-    for name, parameter in PARAMETERS.items():
-        default = reference["cockpit_port:=" if name == "port" else f"{name}:="]
-        assert default == ("false" if parameter.default is False else str(parameter.default))

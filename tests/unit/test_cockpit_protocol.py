@@ -5,10 +5,9 @@ import re
 import runpy
 
 import pytest
-from test_docs import rows
 
 from conftest import ROOT
-from jetbot_cockpit.session import messages, pages, protocol
+from jetbot_cockpit.session import messages, protocol
 from jetbot_cockpit.session.protocol import Message, ProtocolError, parse
 
 SOCKET, _, KEPT = (ROOT / "docs/protocol.md").read_text().partition("## Programs that are kept")
@@ -97,13 +96,3 @@ def test_the_tables_and_types_are_those_of_the_messages():
         text = file.read_text()
         missing = [line for line in wanted(text).splitlines() if line not in text.splitlines()]
         assert text == wanted(text), f"{file} lacks {missing}: ./morbot shell docs/messages.py"
-
-
-def test_why_a_socket_is_closed_is_documented_with_its_limits():
-    closings = [row for row in rows(FROM_COCKPIT) if row[0].isdigit()]
-    assert {int(code) for code, *_ in closings} == {
-        protocol.INVALID, protocol.LOG_IN, protocol.FULL, protocol.FLOODED, protocol.SILENT, protocol.ENDED, 1009}
-    assert [int(limit) for _, *texts in closings for limit in re.findall(r"\d{2,}", " ".join(texts))] == [
-        messages.MAX_MESSAGE, pages.MAX_CLIENTS, messages.MAX_RATE, messages.MAX_BURST, pages.GONE_AFTER,
-        protocol.MAX_FRAME]
-    assert {pages.NO_ROOM, pages.TOO_MANY} <= {reason.strip("`") for _, reason, _ in closings}

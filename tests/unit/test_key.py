@@ -1,5 +1,7 @@
 """The proof of a key: whole, of one connection, of one side; nothing that is almost one."""
 
+import functools
+
 import pytest
 
 from jetbot_cockpit.remote.key import HUB, ROBOT, new_key, proof, proves, read_key, robot_key
@@ -34,6 +36,11 @@ def test_what_is_no_text_of_digits_is_no_proof(said):
     {"challenge": ANSWER, "answer": CHALLENGE}], ids=str)
 def test_a_proof_holds_for_its_key_its_side_and_all_that_was_said(change):
     assert not is_one(PROOF, **change)
+
+
+def test_an_answer_that_is_too_deep_for_json_proves_nothing():
+    deep = functools.reduce(lambda inner, _: [inner], range(100_000), [])
+    assert not is_one(PROOF, answer={**ANSWER, "more": deep})
 
 
 def test_an_answer_carries_its_proof_which_covers_all_else():

@@ -51,13 +51,6 @@ def test_a_stop_reaches_all_robots_and_names_those_that_have_not_confirmed_it(le
     assert lesson.hub.unconfirmed() == ["/ada", "/cleo"]
 
 
-def test_a_robot_that_comes_back_is_stopped_first_of_all(lesson):
-    lesson.hub.stop_all()
-    lesson.connect("ada")
-    assert lesson.robots["ada"].commands[0] == {"type": "stop"}
-    assert lesson.hub.unconfirmed() == ["/bob", "/cleo"]
-
-
 @pytest.mark.parametrize("state", ["backlogged", "stale", "frozen"])
 def test_a_stop_that_is_stuck_in_a_dead_connection_gets_a_new_one(lesson, state):
     lesson.connect()
@@ -67,16 +60,6 @@ def test_a_stop_that_is_stuck_in_a_dead_connection_gets_a_new_one(lesson, state)
     assert {name: link.reconnects for name, link in lesson.links.items()} == {"ada": 1, "bob": 0, "cleo": 0}
     lesson.links["ada"].connect(lesson.robots["ada"])
     assert lesson.robots["ada"].stopped
-
-
-def test_what_a_robot_said_before_a_stop_does_not_confirm_it(lesson):
-    lesson.connect()
-    lesson.hub.stop_all()
-    lesson.links["ada"].report()
-    lesson.hub.release_all()
-    lesson.links["ada"].frozen = True
-    lesson.hub.stop_all()
-    assert "/ada" in lesson.hub.unconfirmed()
 
 
 def test_a_state_from_before_a_stop_is_neither_its_confirmation_nor_its_release(lesson):
@@ -115,20 +98,6 @@ def test_a_release_at_the_only_robot_that_is_there_leaves_the_stop_for_those_tha
     assert lesson.hub.engaged and lesson.robots["bob"].stopped
 
 
-def test_a_hub_that_is_killed_leaves_its_stop_to_the_next_one(lesson):
-    lesson.connect("ada")
-    lesson.hub.stop_all()
-    lesson.hub = lesson.new_hub()
-    assert lesson.hub.emergency
-    lesson.connect("bob")
-    assert lesson.robots["bob"].stopped
-    lesson.hub.release_all()
-    lesson.hub = lesson.new_hub()
-    assert not lesson.hub.emergency
-    lesson.connect("cleo")
-    assert not lesson.robots["cleo"].stopped
-
-
 def test_a_robot_that_comes_back_is_not_shown_as_it_was_before(lesson):
     lesson.connect()
     lesson.hub.stop_all()
@@ -139,13 +108,6 @@ def test_a_robot_that_comes_back_is_not_shown_as_it_was_before(lesson):
         assert not lesson.hub.states()["/ada"]["answers"]
 
 
-def test_a_release_of_one_robot_leaves_the_stop_of_all(lesson):
-    lesson.connect()
-    lesson.hub.stop_all()
-    lesson.hub.release("/ada")
-    assert lesson.robots["ada"].stopped
-
-
 def test_a_pupils_stop_of_all_at_one_robot_is_that_robots_and_released_from_here(lesson):
     lesson.connect()
     lesson.robots["ada"].stopped = True
@@ -154,16 +116,6 @@ def test_a_pupils_stop_of_all_at_one_robot_is_that_robots_and_released_from_here
     assert [state["stopped"] for _, state in sorted(lesson.hub.states().items())] == [True, False, False]
     lesson.hub.release("/ada")
     assert not lesson.robots["ada"].stopped
-
-
-def test_a_new_hub_sees_the_stop_of_the_last_one(lesson):
-    lesson.connect()
-    lesson.hub.stop_all()
-    lesson.hub = lesson.new_hub()
-    lesson.connect()
-    assert lesson.hub.emergency
-    lesson.hub.release_all()
-    assert not any(robot.stopped for robot in lesson.robots.values())
 
 
 def test_of_two_robots_with_one_name_the_first_stays_and_the_second_is_named(lesson):
