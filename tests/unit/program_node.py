@@ -139,13 +139,13 @@ def run_python(source: str) -> Run:
     return Run(ros.trace, error, lines_of(error), ros.cut)
 
 
-def run_text(source: str) -> Run:
-    """Run a text as Python itself does; its trace is what it prints."""
+def run_text(source: str, names: Optional[dict] = None) -> Run:
+    """Run a text as Python itself does, with these names; its trace is what it prints."""
     written, error = io.StringIO(), None
     with redirect_stdout(written), warnings.catch_warnings():
         try:
             warnings.simplefilter("ignore")  # what is wrong on purpose
-            exec(compile(source, "program.py", "exec"), {"__name__": "__main__"})
+            exec(compile(source, "program.py", "exec"), {"__name__": "__main__", **(names or {})})
         except Exception as failure:
             error = failure
     *prints, last = written.getvalue().split("\n")
