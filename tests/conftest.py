@@ -14,10 +14,10 @@ PAGES = "::test_pages["
 LONGEST = (PAGES, "::test_the_page[python_worker.test.js]", "/test_fleet_update.py::", "::test_rostest[class_judge]",
            "::test_rostest[judge]", "::test_rostest[check_lesson]", "::test_rostest[")
 FLEET = "tests/fleet/"  # all of these share one school
-BROWSER = "tests/browser/"  # each part of these tests, and those in each engine, share a world and their browsers
+BROWSER = "tests/browser/"  # each part of these tests shares a world and its browsers
 PARTS = {part: re.compile(f"{BROWSER}test_({names})") for part, names in {  # the longest first
-    "everybody": "accessibility|blocks|page|states", "pad": "access[.]|camera|dead|driving|hub|stop",
-    "lessons": "python_lesson|tablet", "class": "keys|robots|sharing", "equal": "python_page_equal",
+    "engines": "engines", "everybody": "accessibility|blocks|page|states",
+    "pad": "access[.]|camera|dead|driving|hub|stop", "lessons": "python_lesson|tablet", "class": "keys|robots|sharing",
     "texts": "python_page|curves", "programs": "program|tasks", "safety": "python_safety", "work": "work"}.items()}
 PROCESSES = 8  # of ./morbot test
 OF_A_ROBOT = re.compile("JETBOT_|MORBOT$|ROSCONSOLE_|ROS_(MASTER_URI|IP|NAMESPACE|LOG_DIR)$|PYTHONWARNINGS$")
@@ -65,8 +65,6 @@ def refuse_skip(report):
 def scope_of(nodeid):
     """Return what one process runs: a file, a long test, the pages of one pupil, or a part of those in a browser."""
     file = nodeid.partition("::")[0]
-    if file == f"{BROWSER}test_engines.py":
-        return BROWSER + nodeid.partition("[")[2].partition("-")[0].rstrip("]")
     if file.startswith(BROWSER):
         return BROWSER + next((part for part, files in PARTS.items() if files.match(file)), "others")
     if file.startswith(FLEET):

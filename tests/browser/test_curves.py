@@ -96,6 +96,10 @@ def drives(page):
     return page.run("return [...document.querySelectorAll('#curves span > *')].map(each => each.textContent)")
 
 
+def picture(page):
+    return page.run("return document.querySelector('#curves canvas').toDataURL()")
+
+
 def run(page, world):
     """Run the program, again if it is disturbed; wait until the drive has ended, and return its name."""
     def act():
@@ -164,11 +168,11 @@ def test_two_drives_are_above_each_other_and_pause_holds_the_picture(blocks, wor
     page.wait_for(lambda: "Speed: 0.0" not in values(page), "its speed")
     page.click("#curves-pause")
     page.wait_for_text("curves-pause", "Go on")
-    first, held = drives(page)[0], page.run("return document.querySelector('#curves canvas').toDataURL()")
+    first, held = drives(page)[0], picture(page)
     page.wait_for(lambda: page.text("outcome") != "Running", "the program's end")
-    assert page.run("return document.querySelector('#curves canvas').toDataURL()") == held
+    assert picture(page) == held
     assert run(page, world) == first and "Go on" in page.text("curves-pause")
-    assert page.run("return document.querySelector('#curves canvas').toDataURL()") == held
+    assert picture(page) == held
     page.click("#curves-pause")
     page.wait_for(lambda: first in drives(page)[1:], "both drives")
     pictures = []
@@ -176,7 +180,7 @@ def test_two_drives_are_above_each_other_and_pause_holds_the_picture(blocks, wor
     for pressed in "false", "true":
         button.click()
         page.wait_for(lambda pressed=pressed: button.get_attribute("aria-pressed") == pressed, f"{first}: {pressed}")
-        pictures.append(page.run("return document.querySelector('#curves canvas').toDataURL()"))
+        pictures.append(picture(page))
     assert pictures[0] != pictures[1]
 
 
@@ -197,20 +201,10 @@ def test_on_a_phones_pad_curves_take_the_maps_place_and_their_colours_stand_out(
     page.wait_for(lambda: page.element("map").is_displayed() and not page.element("curves").is_displayed(), "the map")
 
 
-def test_a_drive_has_the_score_that_the_judge_gives_it(page, world):
+def test_a_drive_is_read_by_keys_that_drive_nothing_and_by_a_finger_that_zooms_and_gets_its_score(page, world):
     show_curves(page)
-    drive_once(page, world)
-    task = {"name": "metre", "title": "One metre", "state": "driving", "text": "", "seconds": 1.0, "score": None,
-            "sentences": [], "lost": None}
-    page.receive_class(2, task=task)
-    page.wait_for_text("task", "One metre")
-    page.receive_class(2, task={**task, "state": "done", "score": 87.3})
-    page.wait_for(lambda: drives(page) == ["Drive 1: 87.3"], "its score")
-
-
-def test_the_keyboard_reads_a_moment_and_drives_nothing(page, world):
-    show_curves(page)
-    drive_once(page, world)
+    world.drive_until(lambda: drives(page) == ["Drive 1"], page)
+    page.lift()
     page.wait_for(lambda: "Speed: 0.00 m/s" in values(page), "the robot to stand")
     page.tab_to("curves-moment")
     with world.stops(ROBOT, what="the arrow keys moved the moment"):
@@ -218,12 +212,22 @@ def test_the_keyboard_reads_a_moment_and_drives_nothing(page, world):
         page.wait_for(lambda: values(page).startswith("0.0 s; Wheels: left "), "the beginning")
         page.tap("ArrowRight")
         page.wait_for(lambda: page.value("curves-moment") == "0.01", "the next moment")
-
-
-def drive_once(page, world):
-    """Drive by the pad until the curves have a drive."""
-    world.drive_until(lambda: drives(page) == ["Drive 1"], page)
-    page.lift()
+    x, y = page.place_of("#curves canvas")
+    page.touch_event("touchStart", (x, y))
+    page.touch_event("touchEnd")
+    page.wait_for(lambda: values(page)[:5] != "0.0 s", "a moment")
+    before = picture(page)
+    page.touch_event("touchStart", (x - 20, y), (x + 20, y))
+    page.touch_event("touchMove", (x - 80, y), (x + 80, y))
+    page.touch_event("touchEnd")
+    page.wait_for(lambda: picture(page) != before, "another part of the time")
+    page.click("#curves-fit")
+    task = {"name": "metre", "title": "One metre", "state": "driving", "text": "", "seconds": 1.0, "score": None,
+            "sentences": [], "lost": None}
+    page.receive_class(2, task=task)
+    page.wait_for_text("task", "One metre")
+    page.receive_class(2, task={**task, "state": "done", "score": 87.3})
+    page.wait_for(lambda: drives(page) == ["Drive 1: 87.3"], "its score")
 
 
 def length(page):
@@ -252,21 +256,17 @@ def test_the_curves_fit_each_screen_and_break_no_rule_of_accessibility(page):
     assert violations(page) == []
 
 
-def test_pressed_again_while_they_load_there_is_one_panel(page):
-    page.run("const button = document.getElementById('show-curves'); button.click(); button.click();")
-    page.wait_for(lambda: page.has("#curves canvas") and "Wheels" in values(page), "the curves")
-    page.click("#curves-close")
-    page.wait_for(lambda: page.element("map").is_displayed(), "the map")
-    assert page.run("return [...document.querySelectorAll('#curves')].map(each => each.hidden)") == [True]
-
-
-def test_curves_that_cannot_be_loaded_are_named(page):
+def test_curves_that_cannot_be_loaded_are_named_and_pressed_twice_while_they_load_there_is_one_panel(page):
     page.driver.execute_cdp_cmd("Network.enable", {})
     page.driver.execute_cdp_cmd("Network.setBlockedURLs", {"urls": ["*/panel.js"]})
     page.run("document.getElementById('show-curves').click()")
     page.wait_for_text("notice", "This could not be loaded. Try again.")
     page.driver.execute_cdp_cmd("Network.setBlockedURLs", {"urls": []})
-    show_curves(page)
+    page.run("const button = document.getElementById('show-curves'); button.click(); button.click();")
+    page.wait_for(lambda: page.has("#curves canvas") and "Wheels" in values(page), "the curves")
+    page.click("#curves-close")
+    page.wait_for(lambda: page.element("map").is_displayed(), "the map")
+    assert page.run("return [...document.querySelectorAll('#curves')].map(each => each.hidden)") == [True]
 
 
 def test_beside_the_blocks_they_break_none_either_and_have_room(blocks, world):
@@ -284,20 +284,3 @@ def test_beside_the_blocks_they_break_none_either_and_have_room(blocks, world):
     page.resize(*TABLET)
     page.click("#show-curves")
     assert page.element("python").is_displayed() and not page.element("curves").is_displayed()
-
-
-def test_a_finger_zooms_in_time_and_reads_values(page, world):
-    show_curves(page)
-    drive_once(page, world)
-    page.wait_for(lambda: "Speed: 0.00 m/s" in values(page), "the robot to stand")
-    x, y = page.place_of("#curves canvas")
-    page.touch_event("touchStart", (x, y))
-    page.touch_event("touchEnd")
-    page.wait_for(lambda: "0.0 s" != values(page)[:5], "a moment")
-    before = page.run("return document.querySelector('#curves canvas').toDataURL()")
-    page.touch_event("touchStart", (x - 20, y), (x + 20, y))
-    page.touch_event("touchMove", (x - 80, y), (x + 80, y))
-    page.touch_event("touchEnd")
-    zoomed = lambda: page.run("return document.querySelector('#curves canvas').toDataURL()") != before  # noqa: E731
-    page.wait_for(zoomed, "another part of the time")
-    page.click("#curves-fit")

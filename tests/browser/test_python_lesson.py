@@ -1,32 +1,25 @@
-"""The lesson on Python, with a finger: from blocks to a text, curves and a score; on a tablet lying and upright."""
+"""The lesson on Python, with a finger: from blocks to a text, mistakes, a loop and a function."""
 
 import itertools
-import re
 import time
 
 import pytest
 
-from harness import program
 from jetbot.wait import wait_until
-from processes import end
 
 from .conftest import ROBOT, TABLET, some
-from .test_curves import column, drives, read_table, values, wait_for_end
 from .test_python_page import is_marked, marked
 from .test_tablet_lesson import tap
-from .test_work import judge
 from .world import TRIES
 
 STRAIGHT, LEFT = (0.5, 0.5), (-0.1, 0.1)  # what the wheels get
 BACKSPACE = "\ue003"
 OUT = 3  # presses of it from a line in a loop to the end of the line above: two levels of spaces, and the line's end
 COMMAND = "drive(0.5, 0, 3.33)"  # of the example
-SPEED, WHEEL = "speed (m/s)", "left wheel (power)"
 INDENT = " " * 4
 # Below a colon, the editor indents
 LOOP = "for count in range(4):\ndrive(0.5, 0, 1)\ndrive(0, 0.1, 1.47)"
 SIDE = "def side(length):\ndrive(0.5, 0, length / 0.3)\ndrive(0, 0.1, 1.47)"
-RAMP = 'for step in range(1, 6):\nprint("x", step / 10)\ndrive(step / 10, 0, 0.4)'
 MISTAKES = [
     ("def main():", "def main():", "", 1, "A colon is missing: a line with “def” ends with :", "def main()"),
     (f"{INDENT}drive(0.5, 0, 1.67)", "drive", "vie", 3, "“drvie” is not known here. Do you mean drive?",
@@ -97,17 +90,6 @@ def change(page, line, old, new):
     """Replace a part of a line."""
     touch(page, line, old)
     type_text(page, new, delete=len(old))
-
-
-def undo_to(page, line):
-    """Touch ↶ until the text has this line again."""
-    for _ in range(20):
-        before = page.text("text")
-        if line in before.split("\n"):
-            return
-        tap(page, "#text [title=Undo]")
-        page.wait_for(lambda before=before: page.text("text") != before, "the change to be taken back")
-    raise AssertionError(f"no {line!r}")
 
 
 def run(page, world, sentence="The program has ended."):
@@ -194,49 +176,3 @@ def test_a_loop_and_a_function_with_a_parameter(page, world):
     type_text(page, "", delete=OUT)
     assert run(page, world) == [LEFT, *[STRAIGHT, LEFT] * 3], "the same, by a function"
     page.wait_for(lambda: page.text("kept") == "Kept", "it to be kept")
-
-
-@pytest.mark.long
-def test_curves_show_a_ramp_two_drives_above_each_other_and_the_best(page, world):
-    tap(page, "#show-curves")
-    page.wait_for(lambda: page.has("#curves canvas") and "Wheels" in values(page), "the curves")
-    change(page, INDENT + COMMAND, "3.33", "2")
-    jump = recorded(page, world)
-    powers = [round(value, 1) for _, (value,) in column(jump, WHEEL)]
-    assert set(powers) == {0, 0.5}, f"what the wheels get jumps: {powers}"
-    assert any(0.05 < speed < 0.25 for _, (speed,) in column(jump, SPEED)), "and the speed does not"
-    change(page, f"{INDENT}drive(0.5, 0, 2)", "drive(0.5, 0, 2)", RAMP)
-    steps = recorded(page, world)
-    powers = [round(value, 1) for _, (value,) in column(steps, WHEEL)]
-    assert [power for power, _ in itertools.groupby(powers) if power] == [0.1, 0.2, 0.3, 0.4, 0.5]
-    assert [value for _, (value,) in column(steps, "x")] == [0.1, 0.2, 0.3, 0.4, 0.5]
-    undo_to(page, f"{INDENT}drive(0.5, 0, 2)")
-    change(page, f"{INDENT}drive(0.5, 0, 2)", "0.5, 0, 2", "0.25, 0, 6.66")
-    slow = recorded(page, world)
-    change(page, f"{INDENT}drive(0.25, 0, 6.66)", "0.25, 0, 6.66", "0.5, 0, 3.33")
-    fast = recorded(page, world)
-    for rows, highest in (slow, 0.15), (fast, 0.3):
-        speeds = [(stamp, speed) for stamp, (speed,) in column(rows, SPEED)]
-        assert abs(max(speed for _, speed in speeds) - highest) < 0.01
-        area = sum(speed * (after - stamp) for (stamp, speed), (after, _) in zip(speeds, speeds[1:]))
-        assert 0.9 < area < 1.2, "the area is the way, of a busy computer a little more"
-    oldest = f"curves-drive-{drives(page)[-1].split()[1]}"
-    page.run("document.getElementById(arguments[0]).scrollIntoView()", oldest)
-    tap(page, f"#{oldest}")
-    page.wait_for(lambda: page.element(oldest).get_attribute("aria-pressed") == "false", "it to be hidden")
-    before = values(page)
-    tap(page, "#curves canvas")
-    page.wait_for(lambda: values(page) != before, "the values where the finger touches")
-    process = world.start(program("driving_tasks", "class_judge.py"))
-    page.wait_for(lambda: page.element("judge").is_displayed(), "the tasks")
-    judge(page, world, "points")
-    page.wait_for(lambda: re.match(r"Drive \d+: [\d.]+$", drives(page)[0]), "the drive's points")
-    end([process])
-
-
-def recorded(page, world):
-    """Run the program, wait until the robot has stopped, and save the table; return the rows of this drive."""
-    run(page, world)
-    wait_for_end(page)
-    rows = read_table(page.download("curves-save", f"curves_{ROBOT}.csv"))
-    return [row for row in rows if f"Drive {row['drive']}" == drives(page)[0]]

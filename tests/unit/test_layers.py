@@ -98,7 +98,7 @@ def test_no_module_imports_itself_by_others():
 
 
 def test_without_selenium_the_tests_in_a_browser_can_be_read_and_are_skipped():
-    drivers = "chromium", "page", "webdriver", "engine_chromium", "engine_webkit"  # loaded where selenium is there
+    drivers = "chromium", "page", "webdriver", "engine_webkit"  # loaded where selenium is there
     for file in (ROOT / "tests/browser").glob("*.py"):
         names = re.findall(r"^(?:from|import) (\.?\w+)", file.read_text(), re.M)
         loads = {"selenium", *(f".{driver}" for driver in drivers)} & set(names)
