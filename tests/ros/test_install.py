@@ -11,7 +11,7 @@ from jetbot.fake.motors import wheel_speeds
 from jetbot.wait import wait_until
 from jetbot_cockpit.web.page_files import read_files
 from processes import end, free_port, start
-from project_copy import ROOT, copy_project, finish
+from project_copy import ROOT, clean_environment, copy_built_project, finish
 from web_client import WebSocket, request
 
 SOURCE = ROOT / "morbot_ws/src"
@@ -28,25 +28,20 @@ SERVED = "The cockpit, for a browser on this computer"
 DRIVE = {"type": "drive", "robot": "/", "forward": 1, "left": 0}
 
 
-def outside():
-    """Return this process's environment, without what is in this folder."""
-    kept = {name: ":".join(part for part in value.split(":") if str(ROOT) not in part)
-            for name, value in os.environ.items()}
-    return {name: value for name, value in kept.items() if value}
-
-
 @pytest.fixture(scope="module")
 def installed(tmp_path_factory):
-    """The environment of a shell that knows the install space of a copy, which is deleted."""
+    """The environment of a shell that knows the install space of a built copy, which is deleted."""
     home = tmp_path_factory.mktemp("home")
-    place = home / "installed"
-    environment = {**outside(), "HOME": str(home), "ROS_MASTER_URI": f"http://localhost:{free_port()}"}
-    workspace = copy_project(home) / "morbot_ws"
-    code, messages = finish(["catkin_make", "-C", workspace, "-DCATKIN_ENABLE_TESTING=OFF",
-                             f"-DCMAKE_INSTALL_PREFIX={place}", "install"], environment)
+    place, environment = home / "installed", clean_environment(home)
+    workspace = copy_built_project(home) / "morbot_ws"
+    (workspace / "src/jetbot_tests").resolve().mkdir(parents=True)  # is built, too
+    shutil.copy(ROOT / "tests/ros/package.xml", workspace / "src/jetbot_tests")
+    code, messages = finish(["cmake", "-P", workspace / "build/cmake_install.cmake"], environment)
     assert code == 0, messages
+    (workspace / "install").rename(place)
     shutil.rmtree(workspace.parent)
-    shell = subprocess.check_output(["sh", "-c", f"cd {home}; . {place}/setup.sh; env -0"], env=environment, text=True)
+    shell = subprocess.check_output(["bash", "-c", f"cd {home}; . {place}/setup.bash; env -0"], text=True, env={
+        **environment, "ROS_MASTER_URI": f"http://localhost:{free_port()}", "ROS_HOSTNAME": "localhost"})
     return dict(variable.split("=", 1) for variable in shell.rstrip("\0").split("\0"))
 
 
