@@ -4,6 +4,10 @@ from nav_msgs.msg import Odometry
 from std_msgs.msg import Bool, ColorRGBA, Empty, Float32, Float32MultiArray, Header, Int32, MultiArrayDimension, String
 
 
+def print_short(message):
+    print(" ".join(str(message).split()))
+
+
 def attempt(function, *args, **kwds):
     try:
         print(function(*args, **kwds))
@@ -12,7 +16,7 @@ def attempt(function, *args, **kwds):
 
 
 print(Twist())
-print(Twist(Vector3(1, 2.5, 0), Vector3(z=0.1)))
+print_short(Twist(Vector3(1, 2.5, 0), Vector3(z=0.1)))
 print(Twist(linear=Vector3(x=1)).linear.x, Twist(angular=None).angular.z)
 print(Pose2D(1, 2, 3.25))
 print(PoseStamped(Header(7, None, "map"), Pose(Point(1, 2, 3), Quaternion(0, 0, 0, 1))))
@@ -21,7 +25,7 @@ print(ColorRGBA(1, 0, 0.5, 1).g, TwistStamped().header.frame_id == "")
 array = Float32MultiArray(data=[1, 2.5])
 array.layout.dim.append(MultiArrayDimension("left", 1, 2))
 print(array)
-print(Float32MultiArray())
+print_short(Float32MultiArray())
 odometry = Odometry()
 print(len(odometry.pose.covariance), odometry.pose.covariance[35], odometry.child_frame_id == "")
 print(Twist() == Twist(), Twist() != Twist(), Twist(Vector3(1, 0, 0), Vector3()) == Twist(), Twist() == 1)
@@ -45,14 +49,7 @@ attempt(getattr, twist, "speed")
 #>   x: 0.0
 #>   y: 0.0
 #>   z: 0.0
-#> linear:
-#>   x: 1
-#>   y: 2.5
-#>   z: 0
-#> angular:
-#>   x: 0.0
-#>   y: 0.0
-#>   z: 0.1
+#> linear: x: 1 y: 2.5 z: 0 angular: x: 0.0 y: 0.0 z: 0.1
 #> 1 0.0
 #> x: 1
 #> y: 2
@@ -83,10 +80,7 @@ attempt(getattr, twist, "speed")
 #>       stride: 2
 #>   data_offset: 0
 #> data: [1, 2.5]
-#> layout:
-#>   dim: []
-#>   data_offset: 0
-#> data: []
+#> layout: dim: [] data_offset: 0 data: []
 #> 36 0.0 True
 #> True False False False
 #> True False

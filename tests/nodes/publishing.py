@@ -7,10 +7,9 @@ from std_msgs.msg import Bool, Empty, Float32, Float64, Int32, String, UInt8
 def attempt(function, *args, **kwds):
     try:
         function(*args, **kwds)
-        print("published")
         return True
     except (AttributeError, TypeError, ValueError, rospy.ROSException) as error:
-        print(type(error).__name__, error)
+        print(type(error).__name__, " ".join(str(error).split()))
         return False
 
 
@@ -34,10 +33,12 @@ while not all(each.get_num_connections() for each in publisher.values()):
 
 def publish(topic, *args, **kwds):
     del received[:]
-    published = attempt(publisher[topic].publish, *args, **kwds)
-    while published and not received:
-        rospy.sleep(0.01)
-    print(received)
+    if attempt(publisher[topic].publish, *args, **kwds):
+        while not received:
+            rospy.sleep(0.01)
+        print(" ".join(str(received).split()))
+    elif received:
+        print("refused, and received", received)
 
 
 publish(Twist, Twist())
@@ -75,109 +76,39 @@ attempt(publisher[Twist].publish, Twist())
 
 #> ValueError topic name is not a non-empty string
 #> ValueError topic parameter 'data_class' is not initialized
-#> ValueError data_class [linear:
-#>   x: 0.0
-#>   y: 0.0
-#>   z: 0.0
-#> angular:
-#>   x: 0.0
-#>   y: 0.0
-#>   z: 0.0] is not a class
+#> ValueError data_class [linear: x: 0.0 y: 0.0 z: 0.0 angular: x: 0.0 y: 0.0 z: 0.0] is not a class
 #> ValueError ~name topics cannot be created before init_node() has been called
 #> ROSException ROS node has not been initialized yet. Please call init_node() first
 #> ValueError name must not be empty
 #> ValueError namespaces are not allowed in node names
 #> ROSInitException time is not initialized. Have you called init_node()?
-#> published
-#> [linear:
-#>   x: 0.0
-#>   y: 0.0
-#>   z: 0.0
-#> angular:
-#>   x: 0.0
-#>   y: 0.0
-#>   z: 0.0]
-#> published
-#> [linear:
-#>   x: 1.0
-#>   y: 0.0
-#>   z: 0.0
-#> angular:
-#>   x: 0.0
-#>   y: 0.0
-#>   z: 0.0]
-#> published
-#> [linear:
-#>   x: 1.0
-#>   y: 0.0
-#>   z: 0.0
-#> angular:
-#>   x: 0.0
-#>   y: 0.0
-#>   z: 0.0]
-#> published
-#> [linear:
-#>   x: 0.0
-#>   y: 0.0
-#>   z: 0.0
-#> angular:
-#>   x: 0.0
-#>   y: 0.0
-#>   z: 0.0]
-#> TypeError Invalid number of arguments, args should be ['linear', 'angular'] args are(x: 0.0
-#> y: 0.0
-#> z: 0.0,)
-#> []
+#> [linear: x: 0.0 y: 0.0 z: 0.0 angular: x: 0.0 y: 0.0 z: 0.0]
+#> [linear: x: 1.0 y: 0.0 z: 0.0 angular: x: 0.0 y: 0.0 z: 0.0]
+#> [linear: x: 1.0 y: 0.0 z: 0.0 angular: x: 0.0 y: 0.0 z: 0.0]
+#> [linear: x: 0.0 y: 0.0 z: 0.0 angular: x: 0.0 y: 0.0 z: 0.0]
+#> TypeError Invalid number of arguments, args should be ['linear', 'angular'] args are(x: 0.0 y: 0.0 z: 0.0,)
 #> TypeError Invalid number of arguments, args should be ['linear', 'angular'] args are(0.5,)
-#> []
 #> TypeError expected [geometry_msgs/Vector3] but got [std_msgs/Float32]
-#> []
 #> TypeError publish() can be called with arguments or keywords, but not both.
-#> []
 #> ROSSerializationException field linear.x must be float type
-#> []
 #> AttributeError 'int' object has no attribute 'x'
-#> []
-#> published
 #> [data: 0.10000000149011612]
-#> published
 #> [data: 1.0]
-#> published
 #> [data: 1.0]
-#> published
 #> [data: 0.25]
 #> AttributeError date is not an attribute of Float32
-#> []
 #> ROSSerializationException field data must be float type
-#> []
-#> published
 #> [data: 0.1]
-#> published
 #> [data: 3]
 #> ROSSerializationException field data must be an integer type
-#> []
 #> ROSSerializationException field data exceeds specified width [int32]
-#> []
 #> ROSSerializationException field data must be unsigned integer type
-#> []
-#> published
 #> [data: True]
-#> published
 #> [data: "\xFC"]
 #> ROSSerializationException field data must be of type bytes or an ascii string
 #> []
-#> published
-#> []
-#> published
 #> []
 #> TypeError expected [] but got [std_msgs/Float32]
-#> []
-#> published
-#> [x: 1.0
-#> y: 2.0
-#> z: 3.0]
-#> published
-#> [x: 1.0
-#> y: 0.0
-#> theta: 2.0]
+#> [x: 1.0 y: 2.0 z: 3.0]
+#> [x: 1.0 y: 0.0 theta: 2.0]
 #> ROSException publish() to an unregistered() handle
