@@ -16,9 +16,13 @@ from std_srvs.srv import Empty
 
 from driving_tasks.sources.judged_robot import simulated_robots
 from harness import START_TIMEOUT, RobotTest, find_processes, free_port, pid, read
+from jetbot_cockpit.remote import identity
+from jetbot_cockpit.remote.identity import Identity
+from jetbot_cockpit.remote.key import robot_key
 from jetbot_ros.ros_messages import pose_of
 
 RUN = Path(__file__).parents[3] / "setup/run.py"  # ./morbot run
+KEY = robot_key("A" * 26, "jetbot_07")
 CLASS = ("/jetbot_01", "/jetbot_02")
 BROWSER = '#!/bin/sh\necho "$@" >>{}\n'
 
@@ -40,12 +44,12 @@ class CockpitLaunch(RobotTest):
         except OSError:
             return False
 
-    def open_ports(self):
-        """Return the ports at which other computers reach this test's nodes."""
+    def open_ports(self, local=False):
+        """Return the ports at which other computers reach this test's nodes. local: those of this computer alone."""
         nodes = [f"pid={process}," for process in find_processes(self.folder)]
         rows = [row.split() for row in subprocess.check_output(["ss", "-Hltnp"], text=True).splitlines()]
         return {int(row[3].rpartition(":")[2]) for row in rows if any(node in row[-1] for node in nodes)
-                and not row[3].startswith(("127.", "[::1]", "[::ffff:127."))}
+                and row[3].startswith(("127.", "[::1]", "[::ffff:127.")) is local}
 
     def test_run_prints_the_address_of_the_page_opens_it_where_there_is_a_desktop_and_drives_on_without_it(self):
         opened = Path(self.folder, "opened")
@@ -86,6 +90,17 @@ class CockpitLaunch(RobotTest):
         self.assertIsNone(launch.poll())
         self.assertTrue(self.is_served() and pid(f"{CLASS[1]}/jetbot_controller"))
         self.assert_one_simulator_has_all_and_is_started_again(poses)
+
+    def test_other_computers_reach_the_page_of_a_classs_robot_and_nothing_else(self):
+        master = free_port()
+        identity.write(Identity("jetbot_07", "7b", KEY), f"{self.environment['ROS_HOME']}/morbot_robot.json")
+        environment = {**self.environment, "ROS_MASTER_URI": f"http://localhost:{master}"}
+        launch = self.start("roslaunch", "-p", str(master), "jetbot_class", "robot.launch", "robot:=jetbot_07",
+                            "camera:=false", f"i2c_bus:=fake:{self.bus}", f"cockpit_port:={self.port}",
+                            env=environment)
+        self.wait_for(lambda: "on the page: jetbot_07" in read(launch), START_TIMEOUT, "the page")
+        self.assertEqual(self.open_ports(), {self.port})
+        self.assertIn(master, self.open_ports(local=True))
 
     def assert_one_simulator_has_all_and_is_started_again(self, poses):
         """Fail unless robots are apart, one of them is put elsewhere and back, and all return after a SIGKILL."""
