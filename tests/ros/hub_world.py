@@ -6,9 +6,11 @@ PYTEST_DONT_REWRITE: test modules import it before they name it as a plugin.
 import json
 from types import SimpleNamespace
 
+import pytest
 from tornado.websocket import WebSocketHandler
 
-from cockpit_server import GRANTS, StandIn
+from cockpit_server import GRANTS, WITHIN, StandIn
+from jetbot.wait import wait_until
 from jetbot_cockpit.classroom.classroom import Classroom
 from jetbot_cockpit.remote.fleet import Entry, Fleet
 from jetbot_cockpit.remote.hub import Hub
@@ -22,7 +24,8 @@ from jetbot_cockpit.web.hub_socket import HubSocket
 from jetbot_cockpit.web.server import Server
 from jetbot_cockpit.web.work import Work, Works
 from jetbot_ros.state import EMERGENCY_STOP, RobotState
-from web_client import Closed, WebSocket, open_page, page_headers, request
+from web_client import Closed, WebSocket, page_headers, request
+from web_client import open_page as open_own_page
 
 CLASS = "7b"
 
@@ -66,6 +69,11 @@ class Robot:
         self.server = Server(sockets, access, pages, [(r"/hub", socket, hub)])
         self.server.start()
         self.address = f"127.0.0.1:{self.port}"
+
+    @property
+    def done(self):
+        """What it was commanded, by whoever."""
+        return [(message.type, message.robot) for _, message in self.control.handled]
 
     def connect(self, **headers):
         """Return a socket of somebody who may be a hub."""
@@ -122,7 +130,7 @@ class TeachersHub:
         self.server.start()
 
     def page(self):
-        return open_page(self.port)
+        return open_own_page(self.port)
 
     def work(self, **fields):
         """Return the status and the answer to what a page asks of the programs."""
@@ -140,3 +148,52 @@ def answer(fleet, socket, robot="jetbot_01", **fields):
     """Return a hub's answer to the challenge on a socket."""
     said = {"type": "answer", "nonce": 32 * "a", "address": dialled(*socket.connection.getpeername()), **fields}
     return {**said, "proof": proof(fleet.key_of(robot), HUB, socket.receive("challenge"), said)}
+
+
+@pytest.fixture
+def fleet(tmp_path):
+    return Fleet(str(tmp_path), CLASS)
+
+
+@pytest.fixture
+def make_robot(fleet):
+    """A function that returns a robot with this name, or with the identity of another. options: of Robot."""
+    servers = []
+
+    def make(name="jetbot_01", who=None, **options):
+        robot = Robot(who or identity(fleet, name), **options)
+        servers.append(robot.server)
+        return robot
+    yield make
+    for server in servers:
+        server.end()
+
+
+@pytest.fixture
+def make_hub(tmp_path):
+    """A function that returns a hub with these robots, {name: robot or address}; connected: how many are waited for."""
+    servers = []
+
+    def make(robots, connected=0):
+        hub = TeachersHub(tmp_path, {name: getattr(robot, "address", robot) for name, robot in robots.items()})
+        servers.append(hub.server)
+        assert wait_until(lambda: len(hub.hub._robots.connected()) >= connected, WITHIN)
+        return hub
+    yield make
+    for server in servers:
+        server.end()
+
+
+@pytest.fixture
+def open_page():
+    """A function that returns a page of a hub, once all robots answer."""
+    pages = []
+
+    def make(hub):
+        pages.append(hub.page())
+        pages[-1].receive_until(lambda said: said["type"] == "state"
+                                and all(each["answers"] for each in said["robots"].values()))
+        return pages[-1]
+    yield make
+    for page in pages:
+        page.close()

@@ -5,14 +5,14 @@ import json
 import time
 
 import pytest
-from hub_world import Robot, TeachersHub, identity
 
+from cockpit_server import WITHIN
 from jetbot.wait import wait_until
 from jetbot_cockpit.notices import say
-from jetbot_cockpit.remote.fleet import Fleet
 from jetbot_cockpit.web.hub_socket import HubSocket
 
-WITHIN = 10.0  # s
+pytest_plugins = ["hub_world"]  # its fixtures
+
 ADA, BOB = "/ada", "/bob"
 ID = "0123456789abcdef"
 NAME = {"robot": ADA, "id": ID, "name": "A", "version": 99, "deleted": False, "earlier": []}
@@ -27,7 +27,7 @@ class Changed:
     instead: returns what it sends in place of a message, by the message's type; None: nothing.
     """
 
-    def __init__(self, fleet, name):
+    def __init__(self, make_robot, name):
         changed, self.instead, self.sockets, self.asked = self, {}, [], []
 
         class Lies(HubSocket):
@@ -44,7 +44,7 @@ class Changed:
                 said = changed.instead.get(json.loads(message)["type"], lambda message: message)(message)
                 if said is not None:
                     super().send(said)
-        self.robot = Robot(identity(fleet, name), socket=Lies)
+        self.robot = make_robot(name, socket=Lies)
 
     def say(self, **message):
         for socket in self.sockets:
@@ -57,44 +57,23 @@ class Changed:
 
 
 @pytest.fixture
-def fleet(tmp_path):
-    return Fleet(str(tmp_path), "7b")
+def ada(make_robot):
+    return Changed(make_robot, "ada")
 
 
 @pytest.fixture
-def ada(fleet):
-    ada = Changed(fleet, "ada")
-    yield ada
-    ada.robot.server.end()
+def bob(make_robot):
+    return Changed(make_robot, "bob")
 
 
 @pytest.fixture
-def bob(fleet):
-    bob = Changed(fleet, "bob")
-    yield bob
-    bob.robot.server.end()
+def hub(ada, bob, make_hub):
+    return make_hub({"ada": ada.robot, "bob": bob.robot}, connected=2)
 
 
 @pytest.fixture
-def hub(ada, bob, tmp_path):
-    hub = TeachersHub(tmp_path, {"ada": ada.robot.address, "bob": bob.robot.address})
-    assert wait_until(lambda: len(hub.hub._robots.connected()) == 2, WITHIN)
-    yield hub
-    hub.server.end()
-
-
-def open_page(hub):
-    page = hub.page()
-    page.receive_until(lambda said: said["type"] == "state"
-                       and all(each["answers"] for each in said["robots"].values()))
-    return page
-
-
-@pytest.fixture
-def page(hub):
-    page = open_page(hub)
-    yield page
-    page.close()
+def page(hub, open_page):
+    return open_page(hub)
 
 
 def heard(page, until):
@@ -162,20 +141,18 @@ def test_it_is_shown_by_the_name_that_it_has_proven(bob, hub):
     page = hub.page()
     rows = page.receive_until(lambda said: said["type"] == "robots" and len(said["robots"]) == 2)["robots"]
     assert [each["label"] for each in rows] == ["ada", "bob"]
-    page.close()
 
 
 NUMBERS = {"of no ping": "-1e308", "none in JSON": "1e999", "NaN": "NaN"}
 
 
 @pytest.mark.parametrize("sent", NUMBERS.values(), ids=NUMBERS)
-def test_an_answer_to_a_ping_that_nobody_sent_is_none(bob, hub, sent):
+def test_an_answer_to_a_ping_that_nobody_sent_is_none(bob, hub, open_page, sent):
     bob.instead["pong"] = lambda message: f'{{"type":"pong","sent":{sent}}}'
     bob.asked.clear()
     assert wait_until(lambda: len([each for each in bob.asked if each["type"] == "ping"]) > 1, WITHIN)
     page = open_page(hub)
     assert page.receive("state")["robots"][ADA]["link"] is not None
-    page.close()
     assert all(link.delay is None or 0 <= link.delay < WITHIN for link in hub.hub._robots.connected().values())
 
 
@@ -200,11 +177,15 @@ def test_what_is_no_answer_hides_nobody_elses_programs(ada, bob, hub, page, stat
     assert hub.work(do="open", robot=BOB, id=ID)[1]["code"] == "no_answer"
 
 
+def nested(levels):
+    said = GRAB
+    for _ in range(levels):
+        said = {**GRAB, "arguments": {"a": said}}
+    return said
+
+
 def test_a_message_that_is_too_deep_ends_its_connection_alone(bob, hub, page):
-    deep = say("no_picture").fields()
-    for _ in range(300):
-        deep = {**deep, "arguments": {"driver": deep}}
-    bob.say(type="lift", robot=BOB, **deep)
+    bob.say(type="lift", robot=BOB, **nested(300))
     hears(page, "bob sends too much: its connection was closed.")
     sees(page, answers=False)
     sees(page, answers=True)
@@ -228,16 +209,8 @@ def test_a_trail_that_is_longer_than_documented_is_dropped(hub, ada):
     assert [len(said["points"]) for said in hub.hub._tables.messages()] == [500]
 
 
-def nested(levels):
-    said = GRAB
-    for _ in range(levels):
-        said = {**GRAB, "arguments": {"a": said}}
-    return said
-
-
 @pytest.mark.parametrize("levels", [20, 100, 150, 300])
-def test_a_sentence_in_a_sentence_in_a_sentence_leaves_no_error_in_the_log(hub, ada, levels, caplog):
-    page = open_page(hub)
+def test_a_sentence_in_a_sentence_in_a_sentence_leaves_no_error_in_the_log(page, ada, levels, caplog):
     ada.say(type="notice", **nested(levels))
     ada.say(type="lift", robot=ADA, **nested(levels))
     ada.say(type="notice", **GRAB)

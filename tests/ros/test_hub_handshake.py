@@ -4,41 +4,24 @@ import asyncio
 import json
 
 import pytest
-from hub_world import Liar, Relay, Robot, TeachersHub, answer, identity
+from hub_world import Liar, Relay, answer, identity
 
+from cockpit_server import WITHIN
 from jetbot.wait import wait_until
 from jetbot_cockpit.remote.fleet import Fleet
-from jetbot_cockpit.remote.key import RELAYED, WRONG_KEY, new_key
+from jetbot_cockpit.remote.key import RELAYED, WRONG_KEY
 from jetbot_cockpit.session.protocol import SILENT
 from jetbot_cockpit.web import hub_socket
 from web_client import Closed
 
-WITHIN = 10.0  # s
+pytest_plugins = ["hub_world"]  # its fixtures
+
 DEEP = {"links": json.loads(800 * "[" + 800 * "]")}
 
 
 @pytest.fixture
-def fleet(tmp_path):
-    return Fleet(str(tmp_path), "7b")
-
-
-@pytest.fixture
-def robot(fleet):
-    robot = Robot(identity(fleet))
-    yield robot
-    robot.server.end()
-
-
-@pytest.fixture
-def make_hub(tmp_path):
-    hubs = []
-
-    def make(addresses):
-        hubs.append(TeachersHub(tmp_path, addresses))
-        return hubs[-1]
-    yield make
-    for hub in hubs:
-        hub.server.end()
+def robot(make_robot):
+    return make_robot()
 
 
 def proven(fleet, robot, **fields):
@@ -70,7 +53,7 @@ def test_who_has_another_key_is_refused_and_logged_once_a_minute(fleet, robot, t
         assert refused(socket, answer(other, socket)).code == WRONG_KEY
     assert [record.getMessage() for record in caplog.records if "refused" in record.getMessage()] == [
         "a hub at 127.0.0.1 was refused: it has another key"]
-    assert robot.control.handled == []
+    assert robot.done == []
 
 
 def test_a_recording_is_worth_nothing(fleet, robot):
@@ -83,7 +66,7 @@ def test_a_recording_is_worth_nothing(fleet, robot):
     first.close()
 
 
-def test_the_robots_own_proof_and_another_robots_key_are_no_hubs(fleet, robot):
+def test_a_command_the_robots_own_proof_and_another_robots_key_are_no_hubs(fleet, robot):
     for change in ({"proof": None}, {"proof": 7}, {"nonce": ["a"]}, {"proof": "ä"}, {"nonce": 32 * "A"},
                    {"frames": False}, {"link": "b"}, {"more": 1}, DEEP):
         socket = robot.connect()
@@ -91,13 +74,8 @@ def test_the_robots_own_proof_and_another_robots_key_are_no_hubs(fleet, robot):
     socket = robot.connect()
     theirs = answer(fleet, socket, robot="jetbot_02")
     assert refused(socket, theirs).code == WRONG_KEY
-
-
-def test_commands_before_the_proof_do_nothing(robot):
-    socket = robot.connect()
-    socket.receive("challenge")
-    assert refused(socket, {"type": "stop"}).code == WRONG_KEY
-    assert robot.control.handled == []
+    assert refused(robot.connect(), {"type": "stop"}).code == WRONG_KEY
+    assert robot.done == []
 
 
 def test_who_proves_nothing_is_ended_soon(robot, monkeypatch):
@@ -153,40 +131,27 @@ def status(hub, robot="/jetbot_01"):
     return hub.hub._robots.states().get(robot, {}).get("status")
 
 
-def test_a_robot_with_anothers_key_is_named(fleet, make_hub):
-    liar = Robot(identity(fleet, "jetbot_01", key_of="jetbot_02"))
-    hub = make_hub({"jetbot_01": liar.address})
-    assert wait_until(lambda: status(hub) == "jetbot_01 has another key than this class's.", WITHIN), status(hub)
-    assert wait_until(lambda: list(hub.hub.log) == ["jetbot_01 has another key than this class's."], WITHIN)
-    liar.server.end()
-
-
-def test_a_robot_of_another_class_is_named(fleet, make_hub):
-    robot = Robot(identity(fleet)._replace(class_name="8a", key=new_key()))
-    hub = make_hub({"jetbot_01": robot.address})
-    text = f"The robot at {robot.address} is of another class."
+@pytest.mark.parametrize("key_of, class_name, socket, problem, logged", [
+    ("jetbot_02", "7b", hub_socket.HubSocket, "jetbot_01 has another key than this class's.", True),
+    ("jetbot_01", "8a", hub_socket.HubSocket, "The robot at {} is of another class.", False),
+    ("jetbot_01", "7b", Liar, "What answers at {} pretends to be jetbot_01.", False)],
+    ids=["another key", "another class", "repeats the hub's proof"])
+def test_who_is_not_of_the_class_is_named(fleet, make_robot, make_hub, key_of, class_name, socket, problem, logged):
+    robot = make_robot(who=identity(fleet, key_of=key_of)._replace(class_name=class_name), socket=socket)
+    hub, text = make_hub({"jetbot_01": robot}), problem.format(robot.address)
     assert wait_until(lambda: status(hub) == text, WITHIN), status(hub)
-    robot.server.end()
+    assert not logged or wait_until(lambda: list(hub.hub.log) == [text], WITHIN), hub.hub.log
 
 
-def test_who_only_repeats_the_hubs_proof_is_named(fleet, make_hub):
-    liar = Robot(identity(fleet), socket=Liar)
-    hub = make_hub({"jetbot_01": liar.address})
-    text = f"What answers at {liar.address} pretends to be jetbot_01."
-    assert wait_until(lambda: status(hub) == text, WITHIN), status(hub)
-    liar.server.end()
-
-
-def test_who_passes_a_handshake_on_is_refused_and_named_at_both_ends(fleet, robot, make_hub, caplog):
+def test_who_passes_a_handshake_on_is_refused_and_named_at_both_ends(robot, make_robot, make_hub, caplog):
     hub_socket.REFUSALS = hub_socket.Refusals()
-    relay = Robot(identity(fleet), socket=Relay.to(robot))
-    hub = make_hub({"jetbot_01": relay.address})
+    relay = make_robot(socket=Relay.to(robot))
+    hub = make_hub({"jetbot_01": relay})
     text = f"What answers at {relay.address} passes on what jetbot_01 says: enter the robot's own address."
     assert wait_until(lambda: text in hub.hub.log, WITHIN), hub.hub.log
-    assert status(hub) == text and not hub.hub._robots.connected() and robot.control.handled == []
+    assert status(hub) == text and not hub.hub._robots.connected() and robot.done == []
     assert f"a hub at 127.0.0.1 was refused: it has connected to {relay.address}, which passes on what it says to " \
         f"{robot.address}" in [record.getMessage() for record in caplog.records]
-    relay.server.end()
 
 
 def test_who_changes_the_address_that_a_hub_has_dialled_proves_nothing(fleet, robot):
@@ -204,12 +169,9 @@ class Slow(hub_socket.HubSocket):
         asyncio.get_running_loop().call_later(0.3, super()._let_in, answer)
 
 
-def test_a_robot_whose_proof_is_on_its_way_has_no_wrong_key(fleet, make_hub):
-    robot = Robot(identity(fleet), socket=Slow)
-    hub = make_hub({"jetbot_01": robot.address})
-    assert wait_until(lambda: "/jetbot_01" in hub.hub._robots.connected(), WITHIN)
+def test_a_robot_whose_proof_is_on_its_way_has_no_wrong_key(make_robot, make_hub):
+    hub = make_hub({"jetbot_01": make_robot(socket=Slow)}, connected=1)
     assert list(hub.hub.log) == []
-    robot.server.end()
 
 
 def test_an_address_that_is_none_and_a_name_that_nobody_has_say_so(make_hub):
@@ -218,10 +180,9 @@ def test_an_address_that_is_none_and_a_name_that_nobody_has_say_so(make_hub):
     assert wait_until(lambda: [status(hub), status(hub, "/jetbot_02")] == texts, WITHIN), status(hub)
 
 
-def test_a_clone_is_named_and_the_first_robot_stays(fleet, make_hub):
-    first, clone = Robot(identity(fleet)), Robot(identity(fleet), instance="2")
-    hub = make_hub({"jetbot_01": first.address})
-    assert wait_until(lambda: "/jetbot_01" in hub.hub._robots.connected(), WITHIN)
+def test_a_clone_is_named_and_the_first_robot_stays(make_robot, make_hub):
+    first, clone = make_robot(), make_robot(instance="2")
+    hub = make_hub({"jetbot_01": first}, connected=1)
     hub.fleet.save([*hub.fleet.robots, hub.fleet.robots[0]._replace(name="jetbot_02", address=clone.address)])
     text = f"Two robots are called jetbot_01: {first.address} and {clone.address}. Give one another name."
     assert wait_until(lambda: "/jetbot_02" in hub.hub._robots.states() and status(hub, "/jetbot_02") == text, WITHIN)
@@ -230,6 +191,4 @@ def test_a_clone_is_named_and_the_first_robot_stays(fleet, make_hub):
     page.send({"type": "stop"})
     assert wait_until(lambda: first.control.stopped and clone.control.stopped, WITHIN)
     page.close()
-    assert {message.type for _, message in clone.control.handled} == {"stop"}
-    for robot in first, clone:
-        robot.server.end()
+    assert {kind for kind, _ in clone.done} == {"stop"}

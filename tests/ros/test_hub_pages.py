@@ -3,76 +3,47 @@
 import json
 
 import pytest
-from hub_world import Robot, TeachersHub, identity
 
+from cockpit_server import WITHIN
 from jetbot.wait import wait_until
-from jetbot_cockpit.remote.fleet import Fleet
 
-WITHIN = 10.0  # s
+pytest_plugins = ["hub_world"]  # its fixtures
+
 ID = "0123456789abcdef"
 ADA, BOB = "/ada", "/bob"
+DRIVE = {"type": "drive", "robot": ADA, "forward": 1, "left": 0}
 
 
 @pytest.fixture
-def robots(tmp_path):
-    fleet = Fleet(str(tmp_path), "7b")
-    robots = {name: Robot(identity(fleet, name)) for name in ("ada", "bob")}
-    yield robots
-    for robot in robots.values():
-        robot.server.end()
+def robots(make_robot):
+    return {name: make_robot(name) for name in ("ada", "bob")}
 
 
 @pytest.fixture
-def hub(robots, tmp_path):
-    hub = TeachersHub(tmp_path, {name: robot.address for name, robot in robots.items()})
-    assert wait_until(lambda: len(hub.hub._robots.connected()) == 2, WITHIN)
-    yield hub
-    hub.server.end()
+def hub(robots, make_hub):
+    return make_hub(robots, connected=2)
 
 
 @pytest.fixture
-def page(hub):
-    page = hub.page()
-    page.receive_until(lambda said: said["type"] == "state"
-                       and all(each["answers"] for each in said["robots"].values()))
-    yield page
-    page.close()
+def page(hub, open_page):
+    return open_page(hub)
 
 
-def done(robot):
-    return [(message.type, message.robot) for _, message in robot.control.handled]
-
-
-def test_a_command_reaches_its_robot_alone(robots, page):
-    page.send({"type": "drive", "robot": ADA, "forward": 1, "left": 0})
-    assert wait_until(lambda: done(robots["ada"]) == [("drive", ADA)], WITHIN)
-    assert done(robots["bob"]) == []
-
-
-def test_a_stop_of_all_is_confirmed_by_each_and_nobody_drives_until_the_release(robots, page):
+def test_a_stop_of_all_is_confirmed_by_each_and_nobody_drives_until_its_release_and_the_finger_has_lifted(robots, page):
     page.send({"type": "stop"})
     said = page.receive_until(lambda said: said["type"] == "state" and said["emergency"] and not said["unconfirmed"])
     assert set(said["robots"]) == {ADA, BOB}
-    page.send({"type": "drive", "robot": ADA, "forward": 1, "left": 0})
+    page.send(DRIVE)
     assert page.receive("lift")["code"] == "all_stopped"
     page.send({"type": "release"})
     page.receive_until(lambda said: said["type"] == "state" and not said["emergency"])
-    assert not robots["ada"].control.stopped and not robots["bob"].control.stopped
-    assert ("drive", ADA) not in done(robots["ada"])
-
-
-def test_a_finger_that_was_down_during_a_stop_must_lift(robots, page):
-    drive = {"type": "drive", "robot": ADA, "forward": 1, "left": 0}
-    page.send({"type": "stop"})
-    page.send(drive)
-    assert page.receive("lift")["code"] == "all_stopped"
-    page.send({"type": "release"})
-    page.receive_until(lambda said: said["type"] == "state" and not said["emergency"])
-    page.send(drive)
-    assert page.receive("lift")["code"] == "let_go"
-    page.send({**drive, "forward": 0})
-    page.send(drive)
+    assert not any(robot.control.stopped for robot in robots.values())
+    page.send(DRIVE)
+    assert page.receive("lift")["code"] == "let_go" and ("drive", ADA) not in robots["ada"].done
+    page.send({**DRIVE, "forward": 0})
+    page.send(DRIVE)
     assert wait_until(lambda: robots["ada"].control.handled[-1][1].moves, WITHIN)
+    assert ("drive", ADA) not in robots["bob"].done
 
 
 def test_a_closed_page_leaves_no_socket_at_a_robot(robots, page):
