@@ -1,6 +1,5 @@
 """What catkin_make installs works without its source: the page, the robots that it drives, and a user's programs."""
 
-import os
 import shutil
 import subprocess
 from pathlib import Path
