@@ -2,7 +2,6 @@
 
 import contextlib
 import json
-import logging
 import threading
 import time
 
@@ -154,17 +153,3 @@ def test_a_huge_or_malformed_request_ends_its_connection(cockpit, request_head):
             connection.sendall(request_head.replace(b"{host}", b"localhost:%d" % cockpit.port))
             assert connection.makefile("rb").read().split(b" ")[1:2] in ([], [b"400"])
     assert request(cockpit.port, "GET", "/", cockpit.headers()).status == 200
-
-
-def test_the_end_disconnects_all_pages_and_logs_nothing(caplog):
-    cockpit = Cockpit()
-    pages = [cockpit.page() for _ in range(3)]
-    for page in pages:
-        page.receive("state")
-    with caplog.at_level(logging.DEBUG):
-        cockpit.server.end()
-    assert [page.wait_for_close().code for page in pages] == [1001] * 3
-    assert len(cockpit.control.left) == 3
-    assert not caplog.records
-    with pytest.raises(ConnectionError):
-        connect(cockpit.port)

@@ -55,13 +55,6 @@ def test_a_pupil_reads_and_changes_no_other_robots_programs_and_a_teacher_all(co
     assert [row["robot"] for row in post(cockpit, {"do": "list", "robot": None}, TEACHER)[1]["programs"]] == [FOREIGN]
 
 
-def test_a_program_of_another_class_is_refused(cockpit):
-    cockpit.classroom.id = OTHER
-    assert post(cockpit, {**SAVE, "class": ID}) == (409, say("other_class").fields())
-    assert post(cockpit, {**SAVE, "class": OTHER})[1]["class"] == OTHER
-    assert post(cockpit, {**SAVE, "class": None, "version": 1})[1]["class"] == OTHER
-
-
 def test_without_a_code_or_from_another_page_nobody_gets_in(cockpit):
     assert post(cockpit, LIST, grant=None)[0] == 403
     assert post(cockpit, LIST, Origin="http://evil.test")[0] == 403
@@ -69,16 +62,6 @@ def test_without_a_code_or_from_another_page_nobody_gets_in(cockpit):
     assert post(cockpit, LIST, Host="evil.test")[0] == 404
     assert post(cockpit, LIST, Content_Type="text/plain")[0] == 415
     assert request(cockpit.port, "GET", "/work", cockpit.headers(Content_Type="application/json")).status == 405
-
-
-def test_what_two_pages_make_of_one_version_is_both_kept_and_can_be_opened(cockpit):
-    post(cockpit, SAVE)
-    assert post(cockpit, {**SAVE, "version": 1, "name": "A"})[0] == 200
-    status, answer = post(cockpit, {**SAVE, "version": 1, "name": "B"}, TEACHER)
-    assert (status, answer["version"], answer["earlier"]) == (200, 3, [{"version": 2, "name": "A"}])
-    names = [post(cockpit, {"do": "open", "robot": MINE, "id": ID, **version})[1]["name"]
-             for version in ({}, {"version": 2})]
-    assert names == ["B", "A"]
 
 
 @pytest.mark.parametrize("change", [

@@ -4,6 +4,7 @@ import math
 import signal
 import threading
 import time
+from functools import partial
 
 import rospy
 from geometry_msgs.msg import TransformStamped
@@ -101,34 +102,23 @@ class CockpitDrive(SharedRobotTest):
         self.lift()
         self.wait_for_stop(within=1.0)
         self.wait_for(lambda: not publishers("/cmd_vel"), 5.0, "the publisher to end")
-        self.push(-0.25)
-        with self.lock:
-            self.control.leave(ADA.id)
-        self.wait_for_stop(within=1.0)
-        self.push(0.5)
-        self.drivers.close()
-        self.wait_for_stop(within=1.0)
 
-    def test_the_emergency_stop_of_all_and_that_of_one(self):
-        for client, robot, status, refusal in ((ADA, None, "emergency stop", RELEASE_FIRST),
-                                               (TEACHER, "/", "its own emergency stop", RELEASE_OWN_FIRST)):
+    def test_the_emergency_stop_of_all_that_of_one_and_one_by_another_program(self):
+        for stop, release, status, refusal in (
+                (partial(self.do, ADA, Message("stop")), partial(self.do, ADA, Message("release")),
+                 "emergency stop", RELEASE_FIRST),
+                (partial(self.do, TEACHER, Message("stop", "/")), partial(self.do, TEACHER, Message("release", "/")),
+                 "its own emergency stop", RELEASE_OWN_FIRST),
+                (partial(self.emergency_stop, True), partial(self.emergency_stop, False),
+                 "emergency stop", RELEASE_FIRST)):
             self.push(0.5)
-            self.do(client, Message("stop", robot))
+            stop()
             self.wait_for_stop(within=1.0)
             self.wait_for(lambda status=status: self.robot()["status"].startswith(f"stopped: {status}"), 5.0, status)
             self.wait_for_refusal(refusal)
-            self.do(client, Message("release", robot))
+            release()
             self.wait_for_refusal(LET_GO)
             self.lift()
-
-    def test_an_emergency_stop_by_another_program(self):
-        self.push(0.5)
-        self.emergency_stop(True)
-        self.wait_for_stop(within=1.0)
-        self.wait_for_refusal(RELEASE_FIRST)
-        self.assertEqual(self.do(ADA, Message("release"))["type"], "notice")
-        self.emergency_stop(False)
-        self.wait_for(lambda: not self.control.state()["emergency"], 5.0, "the release")
 
     def test_a_robot_that_freezes_or_is_killed_does_not_answer_and_does_not_jump_off_later(self):
         self.push(0.5)
