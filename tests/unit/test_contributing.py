@@ -7,7 +7,7 @@ import another_chip
 import pytest
 from javascript import needs_node, node
 
-from conftest import ROOT, registers
+from conftest import ROOT
 from jetbot import Robot, boards
 from jetbot.boards import BOARDS
 from jetbot.connection import stop_board
@@ -22,7 +22,6 @@ from simulation import simulation_parameters as simulation
 
 PAGE = (ROOT / "CONTRIBUTING.md").read_text()
 RECIPE = PAGE.split("## A board")[1].split("\n## ")[0]
-HALF, HIGH, OFF = "00000008", "00100000", "00000010"
 
 
 ROW, = re.findall(r"```python\n(.*?)```", RECIPE, re.S)
@@ -53,14 +52,6 @@ def test_the_new_board_drives_and_its_motors_are_simulated(row, place, folder):
             assert wheel_speeds(folder, "myboard") == pytest.approx(speeds, abs=robot.driver.resolution)
         stop_board(row, place)  # as the guard does
         assert wheel_speeds(folder, "myboard") == (0, 0)
-
-
-@on_a_pca9685
-def test_the_new_board_drives_by_its_own_outputs(row, place, folder):
-    with Robot("myboard", place, guard=False) as robot:
-        robot.set_motors(0.5, -0.25)
-        outputs = [registers(folder, row.address)[6 + 4 * output:][:4].hex() for output in range(4, 10)]
-        assert outputs == [HIGH, OFF, HALF, OFF, HIGH, "00000004"]
 
 
 def test_the_new_board_takes_no_chip_from_a_fake_bus(place, folder):
