@@ -88,6 +88,11 @@ def test_podman_is_installed_where_apt_has_it_and_no_engine_is_there(morbot):
     assert commands[-1].startswith("podman exec ")
 
 
+def test_a_stop_does_not_wait_until_podman_is_installed(morbot):
+    code, printed, _ = morbot("stop", system=UBUNTU_26, uid=0)
+    assert code == 1 and "installing" not in printed
+
+
 def test_the_container_has_this_folder_the_users_settings_network_and_processes(morbot, tmp_path):
     options = started(morbot("shell", docker=WORKING)[2])
     for option in (f"--volume {ROOT}:{ROOT}", f"--volume {tmp_path}/home/.ros:{tmp_path}/home/.ros", "--network host",
