@@ -10,7 +10,7 @@ import sys
 import time
 from pathlib import Path
 from types import SimpleNamespace
-from unittest.mock import Mock
+from unittest.mock import Mock, call
 
 import pytest
 
@@ -152,6 +152,15 @@ def test_a_fork_bomb_ends(is_isolated):
         assert pipe.poll(1), "some of its processes run on"
     finally:
         pipe.poll(30)
+
+
+def test_all_is_stopped_before_the_first_is_killed(monkeypatch):
+    monkeypatch.setattr(contained, "_descendants", Mock(side_effect=[{8}, {8, 9}, {8, 9}, set()]))
+    kill = Mock()
+    monkeypatch.setattr(os, "kill", kill)
+    contained.end_children()
+    assert kill.mock_calls == [call(8, signal.SIGSTOP), call(8, signal.SIGSTOP), call(9, signal.SIGSTOP),
+                               call(8, signal.SIGKILL), call(9, signal.SIGKILL)]
 
 
 def test_what_does_not_end_is_named(monkeypatch):
