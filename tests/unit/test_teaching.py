@@ -1,65 +1,22 @@
-"""The teacher's guides have each lesson, and quote what the software says.
+"""The teacher's guide and the list of lessons have each lesson.
 
 What the lessons in a browser print in bold is on the page, in each language that they are in.
 """
 
-import ast
 import re
 from functools import lru_cache
 
 import pytest
 from languages import keys, messages, read
 
-from conftest import ROOT, SOURCE, TASKS
+from conftest import ROOT
 
-GUIDE, REAL_ROBOTS = ((ROOT / "docs" / name).read_text() for name in ("teaching.md", "fleet.md"))
 IN_THE_PAGE = ["phone.md", "tablet.md", "python_tablet.md"]
 PAGES = [*IN_THE_PAGE, *(page.name for page in (ROOT / "docs/lessons").glob("[0-9]*.md"))]
-SAYS = ["the software says"], ["it says"]  # the second heads of tables
-
-
-def tables_of(text):
-    """Return the tables of a page, each as rows of cells."""
-    return [[[cell.strip() for cell in line.strip("|").split(" | ")] for line in table.splitlines()]
-            for table in re.findall(r"(?:^\|.*\|\n)+", text, re.MULTILINE)]
-
-
-TABLES = tables_of(GUIDE)
-SAID = [row[1] for table in [*TABLES, *tables_of(REAL_ROBOTS)] if table[0][1:2] in SAYS for row in table[2:]]
-QUOTES = sorted({quote.strip("`") for quote in SAID if quote.startswith("`")})  # others are ROS's, a shell's ...
 LESSONS = ROOT / "docs/lessons"
 IN_A_BROWSER = {code: LESSONS / code.replace("en", "") for code in ("en", "de", "es")}
 FORM = re.compile(r"^(#+ |\||!\[| *- |\d\. |<details>|</details>|<br>)", re.MULTILINE)
 CODE = re.compile(r"```\w*\n(.*?)```|`([^`]+)`|<code>(.*?)</code>", re.DOTALL)
-FIELD = "\0"
-
-
-def texts_of(source):
-    """Return the texts in a Python program, FIELD in place of what differs."""
-    for node in ast.walk(ast.parse(source)):
-        if isinstance(node, ast.JoinedStr):
-            yield "".join(part.value if isinstance(part, ast.Constant) else FIELD for part in node.values)
-        elif isinstance(node, ast.Constant) and isinstance(node.value, str):
-            yield node.value
-
-
-@pytest.fixture(scope="module")
-def texts():
-    """All texts of the programs and pages of which pupils see some."""
-    files = [file for folder in ("src", "scripts") for package in (*SOURCE.parent.iterdir(), TASKS)
-             for file in (package / folder).rglob("*.py")] + [*(ROOT / "docs").glob("*.py")]
-    pages = [page for each in ("www/*.js", "www/program/*.js", "www/python/*.js", "fleet/*.sh")
-             for page in sorted(SOURCE.parent.rglob(each))]
-    scripts = "".join(page.read_text() for page in pages)
-    return [*(text for file in files for text in texts_of(file.read_text())), *scripts.splitlines()]
-
-
-@pytest.mark.parametrize("quote", QUOTES)
-def test_the_software_says_each_quoted_sentence(quote, texts):
-    fixed = [part.strip(" .:;,") for part in quote.split("...") if part.strip(" .:;,")]
-    pattern = re.compile(".*".join(map(re.escape, fixed)), re.DOTALL | re.IGNORECASE)  # some begin after a prefix
-    assert max(map(len, fixed)) > 8
-    assert any(map(pattern.search, texts))
 
 
 @pytest.mark.parametrize("listing, folder, cells", [
@@ -96,12 +53,6 @@ def says(text, quote):
     first, is_block, pattern = form_of(text)
     begins = f"{first} ".startswith(f"{quote} ") if is_block else first == quote
     return begins or pattern is not None and pattern.fullmatch(quote)
-
-
-@pytest.mark.parametrize("quote", sorted({quote for quote in re.findall(r"\*\*([^*]+)\*\*", REAL_ROBOTS)
-                                          if quote[-1] not in ".,:"}))  # others begin a paragraph
-def test_the_page_says_what_the_guide_for_real_robots_has_in_bold(quote):
-    assert any(says(english, quote) for english, _ in said_on("en"))
 
 
 def said_on(code):
