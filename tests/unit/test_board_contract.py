@@ -122,19 +122,11 @@ def test_what_the_board_has_is_not_sent_again_while_it_is_verified_and_kept_aliv
 
 
 @read_back
-def test_verify_finds_a_brown_out_and_drive_repairs_it(driver, folder, wheels):
+@pytest.mark.parametrize("others", ["a brown-out", (0, 0), (0.5, 0), (0.5, 1), B])
+def test_verify_finds_a_brown_out_and_what_another_program_writes_and_drive_repairs_it(driver, make, folder, wheels,
+                                                                                     others):
     driver.drive(*A)
-    power_on(folder)
-    assert wheels() == STOPPED
-    verify_all(driver, A)
-    assert wheels() == near(A, driver)
-
-
-@read_back
-@pytest.mark.parametrize("others", [(0, 0), (0.5, 0), (0.5, 1), B])
-def test_verify_finds_what_another_program_has_written_and_drive_repairs_it(driver, make, wheels, others):
-    driver.drive(*A)
-    make().drive(*others)
+    power_on(folder) if others == "a brown-out" else make().drive(*others)
     verify_all(driver, A)
     assert wheels() == near(A, driver)
 

@@ -1,4 +1,4 @@
-"""JPEGs from a child process: cut out of what it writes; it is started again when it ends, hangs or writes garbage."""
+"""JPEGs from a child process, cut out of what it writes; it is started again when it ends, hangs or writes garbage."""
 
 import os
 import shlex
@@ -14,6 +14,8 @@ from jetbot.camera import sources, stream
 from jetbot.camera.jpeg import MAX_SIZE, take
 from jetbot.camera.sources import find_command
 from jetbot.wait import wait_until
+from jetbot_camera.camera_parameters import PARAMETERS
+from jetbot_ros.node_parameters import check_values
 
 HEAD, SCAN = b"\xff\xd8\xff\xe0\x00\x04ab", b"\xff\xda\x00\x02"
 
@@ -245,3 +247,11 @@ def test_a_number_that_cannot_be_is_refused(given):
     name, = given
     with pytest.raises(InvalidValue, match=f"^The {name} must be a whole number from 1 to "):
         find_command("fake", **given)
+
+
+@pytest.mark.parametrize("given", [
+    {"width": 0}, {"height": 5000}, {"fps": 0.5}, {"fps": True}, {"quality": 96}, {"flip": "yes"}, {"source": 3},
+    {"brightness": 1}], ids=str)
+def test_what_cannot_be_is_refused(given):
+    with pytest.raises(InvalidValue):
+        check_values(given, PARAMETERS)

@@ -1,11 +1,11 @@
-"""The simulated robot against closed forms: straight, arc and spin; lag, dead band, and a board's closed loop."""
+"""The workshop's mixing; the simulated robot against closed forms: arcs, lag, dead band, and a closed loop."""
 
 import math
 
 import pytest
 
 from jetbot.fake.motors import dead_band_factor
-from jetbot.kinematics import Pose
+from jetbot.kinematics import Pose, mix, unmix
 from simulation.diff_drive import Body, DiffDriveModel, Motor
 
 SEPARATION, MAX_SPEED = 0.1125, 0.6
@@ -14,6 +14,26 @@ IDEAL = Body(motor_lag=0.0, dead_band=0.0)
 
 def model(closed_loop=False, **body):
     return DiffDriveModel(IDEAL._replace(**body), closed_loop=closed_loop)
+
+
+@pytest.mark.parametrize("x, z, left, right", [
+    (0.0, 0.0, 0.0, 0.0),
+    (0.5, 0.1, 0.4, 0.6),
+    (-0.5, 0.1, -0.6, -0.4),
+    (0.0, -1.0, 1.0, -1.0),
+    (2.0, 0.5, 1.5, 2.5),
+])
+def test_defaults_are_the_workshops_mixing(x, z, left, right):
+    assert mix(x, z) == pytest.approx((left, right))
+
+
+def test_real_units():
+    assert mix(0.3, 2.0, wheel_separation=0.1, max_speed=0.5) == pytest.approx((0.4, 0.8))
+
+
+@pytest.mark.parametrize("geometry", [(), (0.1125, 0.6)])
+def test_the_motion_of_two_wheels_is_the_one_that_they_were_given(geometry):
+    assert unmix(*mix(0.3, -2.0, *geometry), *geometry) == pytest.approx((0.3, -2.0))
 
 
 @pytest.mark.parametrize("steps", [1, 1000])
