@@ -169,10 +169,11 @@ def run(supervisor):
 
 @pytest.fixture
 def running(supervisor, folder):
-    """The supervisor in a thread of its own, driving."""
+    """The supervisor in a thread of its own, driving, which no time-out of the command ends."""
+    supervisor.state = supervisor.state._replace(timeout=60.0)
     with run(supervisor):
         supervisor.command(0.4, 0.6, PUPIL)
-        assert wait_until(lambda: wheel_speeds(folder) != STOPPED, 1.0)
+        assert wait_until(lambda: wheel_speeds(folder) != STOPPED, 5.0)
         yield supervisor
 
 
@@ -211,11 +212,11 @@ def test_what_fails_in_the_thread_of_a_command_ends_the_other_one_with_the_wheel
 
 def test_an_emergency_stop_wakes_the_thread_and_lasts(running, folder):
     running.hold(EMERGENCY_STOP, True)
-    assert wait_until(lambda: wheel_speeds(folder) == STOPPED, 1.0)
+    assert wait_until(lambda: wheel_speeds(folder) == STOPPED, 5.0)
     running.command(0.4, 0.6, PUPIL)
     assert not wait_until(lambda: wheel_speeds(folder) != STOPPED, 0.2)
     running.end()
-    assert wait_until(lambda: running.closed, 1.0)
+    assert wait_until(lambda: running.closed, 5.0)
 
 
 def test_a_stop_overtakes_thirty_programs_on_a_slow_bus(supervisor, folder):
