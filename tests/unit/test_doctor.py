@@ -45,10 +45,13 @@ def test_a_board_that_answers(folder):
         f"{COULD_DRIVE} i2c_bus:=fake:{folder}"]
 
 
-def test_a_bus_without_a_board(folder):
-    folder.mkdir()
-    assert lines(f"fake:{folder}")[2:-2] == [f"NOT 0x60 on fake:{folder}: no answer from 0x60 on fake:{folder}. "
-                                             f"To plug it in: python3 -m jetbot.fake {folder}"]
+def test_a_jetbot_pro_that_reports_and_a_serial_port_with_something_else(folder, monkeypatch):
+    assert lines(port=f"fake:{folder}")[2:] == [
+        f"ok  fake:{folder}: a JetBot Pro reports.", f"{COULD_DRIVE} board:=jetbot_pro port:=fake:{folder}"]
+    monkeypatch.setattr(motor_board, "TELEMETRY_TIMEOUT", 0.1)
+    monkeypatch.setattr(SerialLink, "read", lambda link: b"login: ")
+    assert lines(port=f"fake:{folder}")[2] == (
+        f"NOT fake:{folder}: opens, but no JetBot Pro reports. Is it this port, and is the robot switched on?")
 
 
 def test_only_packages_that_every_robot_needs_keep_it_from_driving(folder, monkeypatch):
@@ -79,18 +82,6 @@ def test_the_file_of_parameters(folder, tmp_path, text, line, last):
 def test_a_fake_robot_does_not_use_the_real_ones_file(tmp_path, bus, port):
     (tmp_path / "jetbot.yaml").write_text("speed: 3")
     assert lines(bus, port)[-1].startswith("ok  robot: could drive.")
-
-
-def test_a_jetbot_pro_that_reports(folder):
-    assert lines(port=f"fake:{folder}")[2:] == [
-        f"ok  fake:{folder}: a JetBot Pro reports.", f"{COULD_DRIVE} board:=jetbot_pro port:=fake:{folder}"]
-
-
-def test_a_serial_port_with_something_else(folder, monkeypatch):
-    monkeypatch.setattr(motor_board, "TELEMETRY_TIMEOUT", 0.1)
-    monkeypatch.setattr(SerialLink, "read", lambda link: b"login: ")
-    assert lines(port=f"fake:{folder}")[2] == (
-        f"NOT fake:{folder}: opens, but no JetBot Pro reports. Is it this port, and is the robot switched on?")
 
 
 @pytest.mark.parametrize("plugged, code", [(True, 0), (False, 1)])
