@@ -19,7 +19,7 @@ WIRINGS = {board: (board,) for board, row in ROWS.items() if row.address}
 WIRINGS["jetbot"] = ("adafruit", "waveshare")
 STEP = 1 / 4096
 ATTEMPTS = 50  # of a command, more than any driver needs
-CHANGES = 10_000 if "MODEL_CHECK" in os.environ else 600  # of each board
+CHANGES = 10_000 if "MODEL_CHECK" in os.environ else 400  # of each board
 TABLE = (0, STEP, 255 * STEP, 256 * STEP, 0.5, 1, -STEP, -0.7, -1)
 FAULTS = [(NACK_AND_STOP, 0), (NACK_AND_STOP, 2), (BROWN_OUT, 0), (BROWN_OUT, 2), (CUT, 6)]
 

@@ -73,16 +73,11 @@ def test_a_chip_that_a_kernel_driver_holds_is_left_to_it(kernel, monkeypatch):
     assert (check.ok, check.finding) == (False, "0x40 on /dev/i2c-1 is in use by a kernel driver")
 
 
-def test_the_wheels_turn(kernel, make_robot, folder):
+def test_the_wheels_turn_and_come_back_after_a_loss_of_power(kernel, make_robot, folder):
     robot = make_robot(i2c_bus=1)
-    for speeds in ((0.5, 0.25), (0.75, 0.25), (-1, 1), (0, 0)):
+    for speeds in ((0.5, 0.25), (0.75, 0.25), (-1, 1), (0, 0), (0.5, 0.25)):
         robot.set_motors(*speeds)
         assert wheel_speeds(folder) == wheel_speeds(folder, "waveshare") == speeds
-
-
-def test_a_chip_that_lost_its_power_comes_back(kernel, make_robot, folder):
-    robot = make_robot(i2c_bus=1)
-    robot.set_motors(0.5, 0.25)
     power_on(folder)
     robot.verify()
     assert wheel_speeds(folder) == (0.5, 0.25)
