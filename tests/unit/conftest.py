@@ -3,7 +3,6 @@
 import os
 import pty
 import signal
-import struct
 import sys
 import tty
 from pathlib import Path
@@ -79,12 +78,6 @@ def folder(tmp_path):
 def registers(folder, address=0x60):
     """The registers of a chip on the fake bus."""
     return fake.chip_file(folder, address).read_bytes()
-
-
-# A telemetry frame of the JetBot Pro: gyro and acceleration, x, y and yaw.
-BODY = (b"\xaa\x55\x2d\x01" + struct.pack(">6h", 16384, 0, -16384, 0, 0, 16384) + bytes(6)
-        + struct.pack(">3h", 1500, -250, 785) + bytes(16))
-TELEMETRY = BODY + bytes([sum(BODY) % 256])
 
 
 @pytest.fixture

@@ -2,6 +2,7 @@
 
 import os
 import select
+import struct
 import termios
 from contextlib import suppress
 from pathlib import Path
@@ -10,7 +11,6 @@ from unittest.mock import Mock
 
 import pytest
 
-from conftest import TELEMETRY
 from jetbot import BusError, InvalidValue
 from jetbot.boards import find_board
 from jetbot.boards.jetbot_pro import FrameReader, frame, velocity
@@ -19,6 +19,10 @@ from jetbot.fake.chips import JetBotPro, decode
 from jetbot.serial_link import SerialLink
 from jetbot.wait import wait_until
 
+# A telemetry frame of the JetBot Pro: gyro and acceleration, x, y and yaw.
+BODY = (b"\xaa\x55\x2d\x01" + struct.pack(">6h", 16384, 0, -16384, 0, 0, 16384) + bytes(6)
+        + struct.pack(">3h", 1500, -250, 785) + bytes(16))
+TELEMETRY = BODY + bytes([sum(BODY) % 256])
 TIMEOUT = 5.0  # s
 CHANGES = 1_000
 
