@@ -1,26 +1,15 @@
-// The programs to begin with.
+// The programs to begin with; tests/unit/test_python_texts.py runs the examples.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 
-import { EMPTY, parseProgram, problemOf } from "#www/program/check.js";
+import { EMPTY, parseProgram } from "#www/program/check.js";
 
 import "./blockly.js";
-import { interpret } from "./programs.js";
 
 const { EXAMPLES, NEW_PYTHON } = await import("#www/program/examples.js");
 const PAGE = readFileSync(new URL("../../morbot_ws/src/jetbot_cockpit/www/program.html", import.meta.url), "utf8");
-const SENSES = { here: { X: 0.97 }, line: [0.3, 0, 1], wheels: [0, 0] };
-
-for (const [name, example] of Object.entries({ EMPTY, ...EXAMPLES })) {
-  test(`${name} is opened, and runs`, () => {
-    assert.equal(problemOf(example), "");
-    const { error, commands } = interpret(JSON.parse(example), SENSES);
-    assert.equal(error, "");
-    assert.ok(commands.length || example === EMPTY);
-  });
-}
 
 test("the page lists the examples, which it loads when one is chosen", () => {
   assert.deepEqual([...PAGE.matchAll(/<option>(.*?)</g)].map(([, name]) => name), Object.keys(EXAMPLES));

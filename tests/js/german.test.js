@@ -14,7 +14,8 @@ Object.assign(globalThis, {
   document: { body: {}, documentElement: { querySelectorAll: () => [] } },
   fetch: async () => ({ json: async () => GERMAN }),
 });
-Object.defineProperty(globalThis, "navigator", { value: { languages: ["nl-NL", "de-AT", "en"] } });
+Object.defineProperty(globalThis, "navigator", { value: { languages: ["nl-NL", "de-AT", "en"] },
+  configurable: true });
 
 const { inWords } = await import("#www/causes.js");
 const { inSeconds, signed } = await import("#www/dom.js");
@@ -75,6 +76,13 @@ test("numbers have a comma", () => {
 test("a sentence without translation is English, whatever it is", () => {
   assert.deepEqual(["No robot", "constructor", "Speed"].map((english) => t(english)),
                    ["No robot", "constructor", "Speed"]);
+});
+
+test("a page of which no language is asked is in English", async () => {
+  const { languages } = navigator;
+  Object.defineProperty(globalThis, "navigator", { value: {}, configurable: true });
+  assert.equal((await import("#www/language.js?none")).language, "en");
+  Object.defineProperty(globalThis, "navigator", { value: { languages }, configurable: true });
 });
 
 for (const content of [null, "", 7, {}]) {

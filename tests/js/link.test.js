@@ -6,49 +6,14 @@ import { test } from "node:test";
 import { Link } from "#www/link.js";
 
 import { Clock } from "./clock.js";
+import { FakeSocket } from "./socket.js";
 import { play, sight } from "./steps.js";
-
-const CLOSED = 3;
-
-class FakeSocket {
-  static OPEN = 1;
-  readyState = 0;
-  bufferedAmount = 0;
-  sent = [];
-
-  constructor(url) {
-    this.url = url;
-  }
-
-  open() {
-    this.readyState = FakeSocket.OPEN;
-    this.onopen();
-  }
-
-  send(text) {
-    this.sent.push(JSON.parse(text));
-  }
-
-  receive(data) {
-    this.onmessage({ data });
-  }
-
-  close(code = 1006, reason = "") {
-    this.readyState = CLOSED;
-    this.onclose({ code, reason });
-  }
-}
 
 // Opens a link with a clock; returns what it has told the page, and what the browser and the cockpit do.
 function open(t) {
-  const page = { received: [], problems: [], refused: 0, roundTrips: [], sockets: [], listeners: [] };
+  FakeSocket.all = [];
+  const page = { received: [], problems: [], refused: 0, roundTrips: [], sockets: FakeSocket.all, listeners: [] };
   globalThis.location = { protocol: "http:", host: "robot:8080" };
-  globalThis.WebSocket = class extends FakeSocket {
-    constructor(url) {
-      super(url);
-      page.sockets.push(this);
-    }
-  };
   globalThis.addEventListener = (_, call) => page.listeners.push(call);
   page.clock = new Clock(t);
   page.link = new Link({
@@ -114,8 +79,9 @@ const TESTS = {
   "a connection that is cut off without an end is given up after three seconds": [
     connect, ...Array(5).fill([1000, receive(STATE)]).flat(), sees({ problem: "" }), 4000, sees({ problem: OFFLINE })],
   "what an old connection still says is not heard": [
-    connect, reopen, connect, ({ sockets }) => sockets[0].receive(STATE),
-    ({ sockets }) => assert.equal(sockets[0].readyState, CLOSED), sees({ received: [], problems: ["", ""] })],
+    connect, reopen, connect, ({ sockets: [old] }) => old.receive(STATE),
+    ({ sockets: [old] }) => assert.equal(old.readyState, FakeSocket.CLOSED),
+    sees({ received: [], problems: ["", ""] })],
   "without a code the page asks for one, and does not try again": [
     connect, lose(4001), 10000, sees({ refused: 1, opened: 1 })],
   ...Object.fromEntries(Object.entries(ENDS).map(([code, sentence]) => [

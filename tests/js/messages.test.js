@@ -6,10 +6,12 @@ import { test } from "node:test";
 
 import { Clock } from "./clock.js";
 import "./dom.js";
+import { FakeSocket } from "./socket.js";
 import { stream } from "./stream.js";
 
 const IDS = ["/red", "/blue", "/tom"];
 const elements = {};
+const socket = () => FakeSocket.all.at(-1);
 const press = (id) => elements[id].listeners.pointerdown.forEach((call) => call({ button: 0, timeStamp: 0 }));
 
 // An element that takes whatever is done to it.
@@ -23,30 +25,10 @@ function field(id) {
   };
 }
 
-class FakeSocket {
-  static OPEN = 1;
-  static last = null;
-  readyState = 1;
-  sent = [];
-
-  constructor() {
-    FakeSocket.last = this;
-  }
-
-  send(text) {
-    this.sent.push(JSON.parse(text));
-  }
-
-  close() {
-    this.readyState = 3;
-    this.onclose({ code: 1006 });
-  }
-}
-
 Object.assign(globalThis, {
   addEventListener() {}, dispatchEvent() {}, history: { state: null, replaceState() {} }, Option: class {},
   location: { protocol: "http:", host: "robot", hash: "" }, localStorage: { getItem: () => null, setItem() {} },
-  requestAnimationFrame: (call) => call(), WebSocket: FakeSocket,
+  requestAnimationFrame: (call) => call(),
 });
 Object.assign(document, { getElementById: field, querySelectorAll: () => [] });
 document.documentElement.style = { setProperty() {} };
@@ -58,7 +40,7 @@ async function open() {
   for (const id of Object.keys(elements)) delete elements[id];
   const shell = new Shell({ receivers: {}, end() {}, drives: () => false, changed() {}, draw() {} });
   await shell.start();
-  FakeSocket.last.onopen();
+  socket().open();
   return shell;
 }
 
@@ -90,7 +72,7 @@ function drawMessage(draw) {
 
 // Lets a message come, and checks what a person has then. last: the messages that came last, by their type.
 function check(shell, message, last, chosen) {
-  FakeSocket.last.onmessage({ data: JSON.stringify(message) });
+  socket().receive(JSON.stringify(message));
   const { world } = shell;
   if (message.type === "hello") last.robots = null; // all is sent again
   last[message.type] = message;
@@ -100,7 +82,7 @@ function check(shell, message, last, chosen) {
   for (const id of IDS) assert.equal(world.state(id).status, last.state?.robots[id]?.status ?? "");
   assert.match(elements.sentence.textContent, /^(?!.*(undefined|null|NaN|\{|\[object)).+/, "the status is a sentence");
   assert.ok(elements.robot.disabled !== undefined || !last.robots, "robots are offered");
-  const { sent } = FakeSocket.last;
+  const { sent } = socket();
   assert.deepEqual(sent.filter(({ type }) => type !== "ping"), [], "nothing is driven");
   press("stop");
   assert.deepEqual(sent.pop(), { type: "stop", robot: null });
@@ -124,9 +106,9 @@ test("messages in any order, doubled, late, and of unknown robots leave a page t
         assert.fail(`seed ${seed}, step ${step}, ${JSON.stringify(message)}: ${error.stack}`);
       }
       if (draw(10)) continue;
-      FakeSocket.last.close();
+      socket().close();
       await clock.pass(2250);
-      FakeSocket.last.onopen();
+      socket().open();
     }
   }
 });

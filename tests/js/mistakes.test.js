@@ -215,8 +215,6 @@ const NODES = [
   ["x = input()", "“input” is not in the page: give the value to a name at the top of the program.", 1],
   ["open('a.txt')", "“open” is not in the page: programs here have no files; print what you want to keep.", 1],
   ["import os", "“os” is not in the page: programs here start no other programs.", 1],
-  ["import sys\nsys.stdin.readline()",
-    "“sys.stdin” is not in the page: give the value to a name at the top of the program.", 2],
   ["import rospy\nrospy.Service('a', None, None)",
     "“rospy.Service” is not in the page: the page has topics, but no services and no actions.", 2],
   ["from sensor_msgs.msg import Image", `“sensor_msgs.msg.Image” ${NO_PICTURES}`, 1],

@@ -272,3 +272,9 @@ print(rospy.get_name(), rospy.get_namespace(), publisher.name, rospy.resolve_nam
   assert.equal(error, "");
   assert.deepEqual([motions, prints], [[[0.5, 0]], ["/jetbot_01/node /jetbot_01/ /jetbot_01/cmd_vel /jetbot_01/cmd_vel"]]);
 });
+
+test("a text that reads the keyboard is told what to use instead", async () => {
+  const { error, line } = await runText("import sys\nsys.stdin.readline()");
+  assert.deepEqual([error, line],
+    ["“sys.stdin” is not in the page: give the value to a name at the top of the program.", 2]);
+});

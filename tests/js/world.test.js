@@ -3,7 +3,6 @@
 import assert from "node:assert/strict";
 import { beforeEach, test } from "node:test";
 
-import { limits } from "#www/limits.js";
 import { World } from "#www/world.js";
 
 import "./dom.js";
@@ -30,10 +29,6 @@ beforeEach(() => {
   world.chosen = "/red";
 });
 
-test("the page takes the cockpit's limits", () => {
-  assert.equal(limits.trail, 3);
-});
-
 test("a pupil with a robot of its own chooses that one only; everybody else chooses from all", () => {
   assert.deepEqual(world.allowed.map(({ label }) => label), ["red", "blue"]);
   login("pupil", "/blue");
@@ -41,15 +36,12 @@ test("a pupil with a robot of its own chooses that one only; everybody else choo
   assert.deepEqual(world.allowed.map(({ label }) => label), ["blue"]);
 });
 
-test("robots that come and go are named, or counted if they are many", () => {
+test("robots that come and go are named, or counted if they are many; the first list is no news", () => {
   assert.equal(world.list({ robots: [robot("red")] }), "blue is not running any more.");
   assert.deepEqual(world.missing.map(({ label }) => label), ["blue"]);
   assert.equal(world.list({ robots: [robot("red"), robot("blue"), robot("tom")] }), "2 robots are running.");
   assert.deepEqual(world.missing, []);
   assert.equal(world.list({ robots: [robot("red"), robot("blue"), robot("tom")] }), "");
-});
-
-test("the first list is no news", () => {
   login("pupil");
   assert.equal(world.list({ robots: [robot("red")] }), "");
 });
@@ -136,10 +128,6 @@ test("a teacher reads the status itself, which helps at a terminal", () => {
   assert.equal(world.summarize("/red").text, "red does not answer. Restart it, or resume it with fg.");
 });
 
-test("a robot that is not known yet has a status, too", () => {
-  assert.deepEqual(world.summarize("/tom"), { text: "waiting for its status", level: "waiting" });
-});
-
 const ADA = { id: 1, name: "Ada" };
 const BOB = { id: 2, name: "Bob" };
 const DRIVERS = [ // the state of the robot; what is said, and whether this page can drive
@@ -187,11 +175,6 @@ for (const [what, role, ask, state, more, expected] of [
     assert.equal(ask(), expected);
   });
 }
-
-test("the map shows the robots whose place is known", () => {
-  report({ red: { pose: [1, 2, 3] }, blue: {} });
-  assert.deepEqual(world.placed.map(({ robot: { label }, state }) => [label, state.pose]), [["red", [1, 2, 3]]]);
-});
 
 for (const [what, own, robots, sentence] of [
   ["their own, while others run", "/red", ["blue"], "red is not running. This page shows it as soon as it runs."],
