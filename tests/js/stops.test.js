@@ -5,12 +5,13 @@ import { beforeEach, test } from "node:test";
 
 import { Clock } from "./clock.js";
 import "./dom.js";
+import { play } from "./steps.js";
 
 import { Stops } from "#www/stops.js";
 import { World } from "#www/world.js";
 
 const IDS = ["/jetbot_01", "/jetbot_02", "/jetbot_03"];
-let [world, stops, sent, connected] = /** @type {any[]} */ ([]);
+let world = null, stops = null;
 
 for (const id of ["stop", "release", "unconfirmed", "notice"]) {
   Object.assign(document.getElementById(id), {
@@ -19,88 +20,46 @@ for (const id of ["stop", "release", "unconfirmed", "notice"]) {
 }
 document.body = { classList: { toggle() {} } };
 
-function shown() {
-  stops.show();
-  const { hidden, textContent } = document.getElementById("unconfirmed");
-  return hidden ? "" : textContent;
-}
-
-function report({ emergency = true, unconfirmed = [] } = {}) {
-  world.update({ emergency, unconfirmed, pupils_release: false, robots: {} });
-  stops.update();
-}
-
 beforeEach(() => {
-  [world, sent, connected] = [new World(), [], true];
+  world = new World();
   world.list({ robots: IDS.map((id) => ({ id, label: id.slice(1) })) });
   document.getElementById("unconfirmed").hidden = true;
-  const send = (message) => connected && sent.push(message);
-  stops = new Stops(world, { send, lost: () => !connected, notice: { show() {} }, stopped() {} });
+  stops = new Stops(world, { send: () => true, lost: () => false, notice: { show() {} }, stopped() {} });
 });
 
-test("who has not confirmed the stop a second after it is named until they have", async (t) => {
-  const clock = new Clock(t);
-  stops.stop();
-  report({ unconfirmed: IDS });
-  await clock.pass(900);
-  report({ unconfirmed: IDS.slice(1) });
-  assert.equal(shown(), "", "they confirm one after the other");
-  await clock.pass(200);
-  assert.equal(shown(), "Stopped: 1 of 3. Not confirmed: jetbot_02, jetbot_03. Use their own switches.");
-  await clock.pass(3_600_000);
-  report({ unconfirmed: IDS.slice(2) });
-  assert.equal(shown(), "Stopped: 2 of 3. Not confirmed: jetbot_03. Use their own switches.");
-  report();
-  assert.equal(shown(), "");
-});
+const press = () => stops.stop(), release = () => stops.release();
+const list = (count) => () => world.list({ robots: world.robots.slice(0, count) });
+const report = (unconfirmed = [], emergency = true) => () => {
+  world.update({ emergency, unconfirmed, pupils_release: false, robots: {} });
+  stops.update();
+};
+const sees = (sentence) => () => {
+  stops.show();
+  const { hidden, textContent } = document.getElementById("unconfirmed");
+  assert.equal(hidden ? "" : textContent, sentence);
+};
 
-test("the sentence stays when somebody presses again, and goes with the release", async (t) => {
-  const clock = new Clock(t);
-  stops.stop();
-  report({ unconfirmed: ["/jetbot_03"] });
-  await clock.pass(1100);
-  stops.stop();
-  assert.match(shown(), /jetbot_03/);
-  stops.release();
-  report({ emergency: false });
-  assert.equal(shown(), "");
-});
+const [ONE, TWO, THREE] = IDS;
+const lacks = (stopped, names) => `Stopped: ${stopped} of 3. Not confirmed: ${names}. Use their own switches.`;
+const ALONE = "The stop is not confirmed yet. Press again, or use the robot's own switch.";
+const SOMEBODY = Object.entries({ // stops: the robots in the list, who does not confirm, what a person reads
+  "a stop by somebody else is named, too": [3, TWO, lacks(2, "jetbot_02")],
+  "a robot that is not in the list any more counts, and is named": [2, THREE, lacks(2, "jetbot_03")],
+  "one robot alone needs no number": [1, ONE, ALONE],
+}).map(([what, [count, id, sentence]]) => [what, [list(count), report([id]), sees(""), 1100, sees(sentence), report(),
+  sees(""), report([id]), sees(sentence)]]); // it comes back during the stop
 
-for (const [what, listed, unconfirmed, sentence] of [
-  ["a stop by somebody else is named, too", 3, "/jetbot_02",
-    "Stopped: 2 of 3. Not confirmed: jetbot_02. Use their own switches."],
-  ["a robot that is not in the list any more counts, and is named", 2, "/jetbot_03",
-    "Stopped: 2 of 3. Not confirmed: jetbot_03. Use their own switches."],
-  ["one robot alone needs no number", 1, "/jetbot_01",
-    "The stop is not confirmed yet. Press again, or use the robot's own switch."],
-]) {
-  test(what, async (t) => {
-    const clock = new Clock(t);
-    world.list({ robots: world.robots.slice(0, listed) });
-    report({ unconfirmed: [unconfirmed] });
-    assert.equal(shown(), "");
-    await clock.pass(1100);
-    assert.equal(shown(), sentence);
-    report();
-    assert.equal(shown(), "");
-    report({ unconfirmed: [unconfirmed] });
-    assert.equal(shown(), sentence, "it comes back during the stop");
-  });
-}
-
-test("a cockpit that does not confirm is reported until it does, though it is released at once", async (t) => {
-  const clock = new Clock(t);
-  stops.stop();
-  await clock.pass(1100);
-  assert.match(shown(), /not confirmed yet/);
-  report();
-  assert.equal(shown(), "");
-  stops.stop();
-  report();
-  report({ emergency: false });
-  await clock.pass(1100);
-  assert.equal(shown(), "");
-});
+const TESTS = {
+  "who has not confirmed the stop a second after it is named until they have": [
+    press, report(IDS), 900, report([TWO, THREE]), sees(""), 200, sees(lacks(1, "jetbot_02, jetbot_03")), 3_600_000,
+    report([THREE]), sees(lacks(2, "jetbot_03")), report(), sees("")],
+  "the sentence stays when somebody presses again, and goes with the release": [
+    press, report([THREE]), 1100, press, sees(lacks(2, "jetbot_03")), release, report([], false), sees("")],
+  "a cockpit that does not confirm is reported until it does, though it is released at once": [
+    press, 1100, sees(ALONE), report(), sees(""), press, report(), report([], false), 1100, sees("")],
+  ...Object.fromEntries(SOMEBODY),
+};
+for (const [what, steps] of Object.entries(TESTS)) test(what, (t) => play({ clock: new Clock(t) }, steps));
 
 test("a robot that has not confirmed the stop is not shown as stopped", () => {
   const holds = { ...world.state(null), holds: ["emergency_stop"], state: "stopped", programs: 0 };
