@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { write } from "./blockly.js";
-import { block, get, plug, print, program, set } from "./programs.js";
+import { block, print, program, set } from "./programs.js";
 
 test("each block's line is known, so that the page can mark it", () => {
   const { text, lines } = write(program([
@@ -30,15 +30,6 @@ test("wheels are set in the robot's own units", () => {
   const wheels = program([block("robot_wheels", { LEFT: 0.5, RIGHT: 0.5 })]);
   assert.match(write(wheels).text, /\(right - left\) \/ 2\n/);
   assert.match(write(wheels, { wheel_separation: 0.1125, max_speed: 0.6 }).text, /\(right - left\) \/ 0.1125 \* 0.6\n/);
-});
-
-test("a turn to the right negates what it is given", () => {
-  const turn = (Z) => block("robot_turn", { Z, SECONDS: 1 }, { fields: { SIDE: "RIGHT" } });
-  const sum = plug("math_arithmetic", { A: get("x"), B: 1 }, { OP: "ADD" });
-  const { text } = write(program([turn(0.2), turn(-0.2), turn(get("x")), turn(sum)], { variables: ["x"] }));
-  for (const call of ["drive(0, -0.2, 1)", "drive(0, 0.2, 1)", "drive(0, -x, 1)", "drive(0, -(x + 1), 1)"]) {
-    assert.ok(text.includes(call), call);
-  }
 });
 
 const USED = [

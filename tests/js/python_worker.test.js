@@ -94,7 +94,6 @@ const FAILURES = {
   "a function that calls itself": ["def f(): return f()\nf()", TOO_DEEP],
   "a message without an end": ["raise Exception('x' * 1000000)", /^Exception: x{100,10000}$/],
   "a message that fails": ["class E(Exception):\n    def __str__(self): raise ValueError\nraise E", "E"],
-  "any exception": ["raise BaseException('why')", "BaseException: why"],
   "a print that fails": ["class A:\n    def __str__(self): raise ValueError('why')\nprint(A())", "ValueError: why"],
 };
 for (const [name, [text, expected]] of Object.entries(FAILURES)) {
@@ -223,8 +222,6 @@ test("a program may catch an error after each wait, as often as it wants", async
 const ODD = { // lines, and what they print
   "import from __future__": ["'''x'''\nfrom __future__ import division\nprint(1 / 2)", "0.5"],
   "a line separator in a text and in a comment": ["print(len('a\u2028b')) # \u2028print(1)", "3"],
-  "tabs": ["if True:\n\tif True:\n\t\tprint(1)", "1"],
-  "carriage returns": ["x = 1\r\nif x:\r\n    print(x)\r\n", "1"],
   "a null character in a text": ["print('a\0b')", "a"],
   "half a character": ["print('\ud800' == '\\ud800')", "True"],
   "20,000 summands": [`print(${"1 + ".repeat(20000)}1)`, "20001"],
