@@ -82,7 +82,7 @@ test("a worker that speaks unasked is ended, and its program with it", async () 
       ended = true;
     }
   };
-  const { prints, error } = await runText("print(1)");
+  const { prints, error } = await runText("print(1)", { enough: ({ answers }) => answers > 5 });
   globalThis.Worker = Worker;
   assert.deepEqual([prints, error, ended], [["asked"], "Python stopped unexpectedly. Run the program again.", true]);
 });
