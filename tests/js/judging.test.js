@@ -275,8 +275,6 @@ test("after a new connection, answers to what was asked before are not waited fo
 
 const MISSING = { // what there is not, as the page has it, without it and with it
   "red is not running.": (page, is) => { page.world.robots = [is ? RED : { id: "/blue" }]; },
-  "No robot is running.": ({ world }, is) => Object.assign(world, is ? { robots: [RED], chosen: "/red" }
-    : { robots: [], chosen: null }),
   "There is no connection to the cockpit.": (page, is) => { page.connected = is; },
 };
 for (const [sentence, set] of Object.entries(MISSING)) {
