@@ -327,16 +327,6 @@ def test_robots_that_come_go_and_hang_are_named_once_in_the_terminal():
     assert one.changes_since(two) == ["ended: blue"]
 
 
-def test_a_result_is_forgotten_when_the_robot_that_was_put_back_is_at_its_start(cockpit):
-    cockpit.robots.change("/red", pose=(1.0, 0.0, 0.0), task=DONE)
-    cockpit.wait(0.05)
-    cockpit.do(TEACHER, Message("reset", "/red"))
-    assert cockpit.control.state()["robots"]["/red"]["task"]
-    cockpit.robots.change("/red", pose=(0.0, 0.0, 0.0))
-    cockpit.wait(0.05)
-    assert cockpit.control.state()["robots"]["/red"]["task"] is None
-
-
 def test_a_stop_of_all_names_the_robots_that_have_not_confirmed_it(cockpit):
     assert cockpit.control.state()["unconfirmed"] == []
     cockpit.do(TEACHER, Message("stop"))

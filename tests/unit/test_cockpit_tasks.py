@@ -64,37 +64,24 @@ def test_pupils_choose_what_a_teacher_has_switched_on(cockpit):
     assert "not switched this task on" in judge(cockpit, ADA)
 
 
-def test_a_teacher_chooses_any_task_that_a_judge_has(cockpit):
-    assert not judge(cockpit)
-    assert "No judge" in judge(cockpit, task="<b>")
-    cockpit.robots.offered = ()
-    cockpit.control.check(cockpit.time)
-    assert "No judge" in judge(cockpit) and offered(cockpit) == {}
-
-
-def test_a_robot_is_judged_for_who_may_drive_it_now(cockpit):
+@pytest.mark.parametrize("client, task, change, refusal", [
+    (ADA, "park", lambda cockpit: None, "has not switched this task on"),
+    (TEACHER, "<b>", lambda cockpit: None, "No judge"),
+    (TEACHER, "metre", lambda cockpit: setattr(cockpit.robots, "offered", ()), "No judge"),
+    (OWN, "metre", lambda cockpit: None, "only blue"),
+    (ADA, "metre", lambda cockpit: cockpit.push(BOB), "pupil 2 drives red. Press Judge me again when red is free."),
+    (ADA, "metre", lambda cockpit: cockpit.robots.change("/red", stopped=True), "emergency stop"),
+    (ADA, "metre", lambda cockpit: cockpit.robots.change("/red", judged_elsewhere=True),
+     "A judge in a terminal already judges red. When it has ended, press Judge me again."),
+    (ADA, "metre", lambda cockpit: cockpit.robots.change("/red", simulated=False), "Only simulated robots"),
+    (ADA, "metre", lambda cockpit: None, "was interrupted. Press Judge me again.")])
+def test_why_a_robot_is_not_judged(cockpit, client, task, change, refusal):
     switch(cockpit)
-    assert "only blue" in judge(cockpit, OWN)
-    cockpit.push(BOB, "/red")
-    assert judge(cockpit, ADA) == "pupil 2 drives red. Press Judge me again when red is free."
-    cockpit.robots.change("/blue", stopped=True)
+    driver = change(cockpit) or cockpit.driver()
     cockpit.control.check(cockpit.time)
-    assert "emergency stop" in judge(cockpit, OWN, "/blue")
-    cockpit.time += 1
-    assert "was interrupted. Press Judge me again." in judge(cockpit)
-    assert cockpit.robots.judged == []
-
-
-def test_a_robot_that_a_judge_in_a_terminal_judges_is_refused_and_nothing_is_asked(cockpit):
-    cockpit.robots.change("/red", judged_elsewhere=True)
-    cockpit.control.check(cockpit.time)
-    assert judge(cockpit) == "A judge in a terminal already judges red. When it has ended, press Judge me again."
-    assert cockpit.robots.judged == [] and cockpit.driver() is None
-
-
-def test_a_program_that_drives_the_robot_waits(cockpit):
-    judge(cockpit)
-    assert cockpit.drivers.held == ["/red"]
+    cockpit.time += "interrupted" in refusal  # s in which the cockpit was frozen
+    assert refusal in judge(cockpit, client, task=task)
+    assert cockpit.robots.judged == [] and cockpit.driver() == driver
 
 
 def test_each_request_has_a_word_of_its_own_which_the_judge_hears(cockpit):
@@ -106,18 +93,13 @@ def test_each_request_has_a_word_of_its_own_which_the_judge_hears(cockpit):
     assert words[0] != words[1]
 
 
-def test_a_real_robot_is_not_judged(cockpit):
-    cockpit.robots.change("/red", simulated=False)
-    cockpit.control.check(cockpit.time)
-    assert "Only simulated robots" in judge(cockpit) and cockpit.robots.judged == []
-
-
 def test_whoever_is_judged_has_the_robot_and_the_last_result_is_gone(cockpit):
     cockpit.robots.change("/red", task=DONE)
     cockpit.control.check(cockpit.time)
     assert not judge(cockpit)
     state = cockpit.control.state()["robots"]["/red"]
     assert (state["driver"]["id"], state["task"]) == (TEACHER.id, None)
+    assert cockpit.drivers.held == ["/red"], "a program that drives it waits"
     assert "drives red" in cockpit.do(ADA, Message("drive", "/red", 0.5, 0.0))["text"]
 
 
@@ -134,15 +116,11 @@ def test_only_who_has_asked_for_it_ends_that_a_robot_is_judged(cockpit):
     assert cockpit.robots.judged[2:] == []
 
 
-def fall_silent(cockpit):
-    cockpit.wait(5.1)
-
-
 LOSSES = {
     "its page is closed": lambda cockpit: cockpit.control.leave(ADA.id),
     "a teacher takes the robot": lambda cockpit: cockpit.do(TEACHER, Message("take", "/red")),
     "all robots are stopped": lambda cockpit: cockpit.do(BOB, Message("stop")),
-    "the page falls silent, though it is connected": fall_silent,
+    "the page falls silent, though it is connected": lambda cockpit: cockpit.wait(5.1),
     "the page drives another robot": lambda cockpit: cockpit.push(ADA, "/blue"),
 }
 
@@ -169,15 +147,6 @@ def test_who_waits_for_the_judge_keeps_the_robot(cockpit):
         cockpit.do(ADA, Message("program", "/red"))
     assert cockpit.robots.judged == [("/red", "metre")]
     assert "pupil 1 drives red." in judge(cockpit, BOB)
-
-
-def test_of_two_pages_that_press_at_once_one_is_judged(cockpit):
-    switch(cockpit)
-    assert [judge(cockpit, ADA), judge(cockpit, BOB)] == [
-        "", "pupil 1 drives red. Press Judge me again when red is free."]
-    cancel(cockpit, BOB)
-    cockpit.wait(0.1)
-    assert cockpit.robots.judged == [("/red", "metre")]
 
 
 def test_a_class_keeps_its_tasks_and_best_scores(cockpit, kept):

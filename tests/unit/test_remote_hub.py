@@ -1,6 +1,5 @@
 """The hub runs on any computer, and keeps what it needs for its user alone."""
 
-import asyncio
 import json
 import subprocess
 import sys
@@ -14,7 +13,6 @@ from conftest import PACKAGES
 from jetbot.wait import wait_until
 from jetbot_cockpit.remote.finding import Finder, address_of
 from jetbot_cockpit.remote.fleet import Fleet
-from jetbot_cockpit.remote.link import resolve
 from jetbot_cockpit.remote.tables import Tables
 from jetbot_cockpit.web.codes import Codes
 
@@ -91,17 +89,6 @@ def test_where_a_robot_has_proven_its_name_is_remembered(tmp_path):
     assert [entry.authorities for entry in again.robots] == [("ada.test:8080", "192.168.1.9:8080"),
                                                              ("192.168.1.10:8080",)]
     assert fleet.path.stat().st_mode & 0o777 == 0o600
-
-
-@pytest.mark.parametrize("address, found", [("127.0.0.1:8080", ("127.0.0.1", 8080)), ("[::1]:80", ("::1", 80))])
-def test_an_address_is_resolved(address, found):
-    assert asyncio.run(resolve(address)) == found
-
-
-@pytest.mark.parametrize("address", ["127.0.0.1:x", "127.0.0.1", "\0:80", "nobody.invalid:80"])
-def test_what_is_no_address_is_an_error_that_a_link_survives(address):
-    with pytest.raises((OSError, ValueError)):
-        asyncio.run(resolve(address))
 
 
 class Info:

@@ -139,31 +139,33 @@ def test_the_units_of_another_version_are_written_without_a_restart(named):
     (["--forget"], "--forget goes with --off. It deletes what the class has kept on this robot."),
 ])
 def test_what_is_typed_wrong_is_refused_in_one_sentence_and_changes_nothing(computer, words, sentence):
+    check_refused(computer, words, sentence, stdin=KEY)
+
+
+def check_refused(computer, words, sentence, **typed):
     before = computer.files()
-    assert computer.robot(*words, stdin=KEY) == (1, f"{sentence}\n")
+    code, printed = computer.robot(*words, **typed)
+    assert code == 1 and printed.startswith(sentence) and printed.count("\n") == 1
     assert computer.files() == before and not computer.calls()
 
 
-@pytest.mark.parametrize("stdin, environment, sentence", [
-    ("no key", {}, "That is no key. A robot's key has 26 letters and digits; on the teacher's computer: ./morbot fleet "
-                   "key jetbot_07"),
-    (KEY, {"SUDO_USER": "kim"}, "Type this without sudo. It asks for the administrator's password itself."),
-    (KEY, {"TAKEN": "8080"}, "Another program has port 8080, which the page needs. End it, or add another port: "
-                             "cockpit_port:=8081"),
-    (KEY, {"TAKEN": "11311"}, "A ROS master runs here already, at port 11311. End what started it, then type this "
-                              "again."),
-    (KEY, {"PATH": "/nonexistent"}, "There is no sudo here. Let an administrator install it: apt install sudo"),
-])
-def test_a_computer_that_cannot_is_refused_in_one_sentence(computer, stdin, environment, sentence):
-    assert computer.robot(*NAMED, stdin=stdin, **environment) == (1, f"{sentence}\n")
-    assert not computer.calls() and not list(computer.home.iterdir())
+@pytest.mark.parametrize("typed, sentence", [
+    ({"stdin": "no key"}, "That is no key. A robot's key has 26 letters and digits; on the teacher's computer: "
+                          "./morbot fleet key jetbot_07\n"),
+    ({"SUDO_USER": "kim"}, "Type this without sudo. It asks for the administrator's password itself.\n"),
+    ({"TAKEN": "8080"}, "Another program has port 8080, which the page needs. End it, or add another port: "
+                        "cockpit_port:=8081\n"),
+    ({"TAKEN": "11311"}, "A ROS master runs here already, at port 11311. End what started it, then type this again.\n"),
+    ({"PATH": "/nonexistent"}, "There is no sudo here. Let an administrator install it: apt install sudo\n")])
+def test_a_computer_that_cannot_is_refused_in_one_sentence(computer, typed, sentence):
+    check_refused(computer, NAMED, sentence, **{"stdin": KEY, **typed})
 
 
 def test_without_systemd_nothing_is_done(computer):
     (computer.root / "run/systemd/system").rmdir()
-    code, printed = computer.robot(*NAMED, stdin=KEY)
-    assert code == 1 and printed.startswith("Systemd does not run here, so nothing can start with the computer.")
-    assert not computer.calls()
+    check_refused(computer, NAMED, "Systemd does not run here, so nothing can start with the computer.", stdin=KEY)
+
+
 
 
 def test_a_service_of_ones_own_is_left_alone(computer):
@@ -265,37 +267,27 @@ def test_two_at_once_do_not_mix(named):
     assert (named.home / ".ros/morbot_robot.json").exists()
 
 
-def test_killed_at_any_moment_it_leaves_whole_files_and_typed_again_it_heals(tmp_path):
-    whole = RobotComputer(tmp_path / "whole")
-    whole.robot(*NAMED, stdin=KEY)
-    count = len([call for call in whole.calls() if not call.startswith("morbot")])
-    wanted = whole.files()
-    assert count > 8
-    for moment in range(3, count + 3):  # the first two lines are those of the build
-        computer = RobotComputer(tmp_path / str(moment))
-        assert computer.robot(*NAMED, stdin=KEY, kill_at=moment)[0] == -9, moment
-        assert not [name for name, content in computer.files().items() if content == b""], moment
-        assert computer.robot(*NAMED, stdin=KEY)[0] == 0, moment
-        assert {name: without(computer, content) for name, content in computer.files().items()} == {
-            name: without(whole, content) for name, content in wanted.items()}, moment
+@pytest.mark.parametrize("words, before", [(NAMED, []), (["--off"], [NAMED])], ids=["name", "off"])
+def test_killed_at_any_moment_it_leaves_whole_files_and_typed_again_it_heals(tmp_path, words, before):
+    def make(name):
+        computer = RobotComputer(tmp_path / name)
+        for each in before:
+            computer.robot(*each, stdin=KEY)
+        return computer
+    whole = make("whole")
+    whole.robot(*words, stdin=KEY)
+    wanted = contents(whole)
+    moments = [number for number, call in enumerate(whole.calls(), 1) if not call.startswith("morbot")]
+    assert len(moments) > 8
+    for moment in moments:
+        computer = make(str(moment))
+        assert computer.robot(*words, stdin=KEY, kill_at=moment)[0] == -9, moment
+        assert not [name for name, content in computer.files().items() if content == b"" and "run/" not in name], moment
+        assert computer.robot(*words, stdin=KEY)[0] == 0, moment
+        assert contents(computer) == wanted, moment
 
 
-def test_off_killed_at_any_moment_is_completed_when_it_is_typed_again(tmp_path):
-    whole = RobotComputer(tmp_path / "whole")
-    before = whole.files()
-    whole.robot(*NAMED, stdin=KEY)
-    whole.robot("--off")
-    assert len(whole.calls()) > 8
-    for moment in range(1, len(whole.calls()) + 1):
-        computer = RobotComputer(tmp_path / str(moment))
-        computer.robot(*NAMED, stdin=KEY)
-        assert computer.robot("--off", kill_at=moment)[0] == -9, moment
-        assert computer.robot("--off")[0] == 0, moment
-        assert set(computer.files()) == set(before), moment
-        assert computer.read("etc/hostname") == "nano\n"
-
-
-def without(computer, content):
-    """Return a file's content, or where a link leads, without the place of the computer."""
-    return content.replace(str(computer.folder).encode(), b"") if isinstance(content, bytes) else (
-        content.replace(str(computer.folder), ""))
+def contents(computer):
+    """Return all files and where links lead, without the place of the computer."""
+    return {name: (content if isinstance(content, str) else content.decode()).replace(str(computer.folder), "")
+            for name, content in computer.files().items()}
