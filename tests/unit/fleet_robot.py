@@ -70,6 +70,8 @@ PermitRootLogin yes
 StrictModes no
 UsePAM no
 PidFile none
+# The shell of this computer's user reads no settings of that user.
+SetEnv HOME={folder}/robot
 ForceCommand {folder}/login
 """
 
