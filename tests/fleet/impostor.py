@@ -1,9 +1,8 @@
-"""Programs that are no robots and no hubs, by the handshake of jetbot_cockpit.remote, on a host of their own."""
+"""A robot that has its key and floods its hub, on a host of its own."""
 
 import asyncio
 import json
 import threading
-from typing import Optional
 
 from network import Host
 from school import CLASS
@@ -20,20 +19,17 @@ FLOOD = json.dumps({"type": "notice", "code": "x", "arguments": {}, "text": "x" 
 
 
 class Impostor:
-    """Serves /hub as a robot does. name: the one it claims; key: what it proves with.
+    """Serves /hub as the robot with this name and key, and then sends a message for as long as it is let."""
 
-    then: what it sends for as long as it is let, once the hub has answered; recorded: a proof that it replays, or "".
-    """
-
-    def __init__(self, host: Host, name: str, key: str, then: Optional[str] = None, recorded: str = ""):
-        self.name, self.key, self.then, self.recorded, self.proofs, self.visits = name, key, then, recorded, [], 0
+    def __init__(self, host: Host, name: str, key: str, message: str):
         self._ended = threading.Event()
+        self._routes = [(r"/hub", Claim, {"name": name, "key": key, "message": message})]
         self._sockets = host.call(bind_sockets, COCKPIT_PORT, host.address)
         self._thread = threading.Thread(target=lambda: asyncio.run(self._serve()), daemon=True)
         self._thread.start()
 
     async def _serve(self):
-        server = HTTPServer(Application([(r"/hub", Claim, {"impostor": self})]))
+        server = HTTPServer(Application(self._routes))
         server.add_sockets(self._sockets)
         while not self._ended.is_set():
             await asyncio.sleep(0.02)
@@ -46,29 +42,24 @@ class Impostor:
 
 
 class Claim(WebSocketHandler):
-    def initialize(self, impostor):
-        self.impostor = impostor
-        self.challenge = {"type": "challenge", "robot": impostor.name, "class": CLASS, "nonce": new_nonce(),
+    def initialize(self, name, key, message):
+        self.key, self.message = key, message
+        self.challenge = {"type": "challenge", "robot": name, "class": CLASS, "nonce": new_nonce(),
                           "instance": "impostor"}
 
-    def check_origin(self, origin):
-        return True
-
     def open(self):
-        self.impostor.visits += 1
         self.write_message(json.dumps(self.challenge))
 
     async def on_message(self, text):
-        impostor, fields = self.impostor, json.loads(text)
+        fields = json.loads(text)
         if fields["type"] != "answer":
             return
-        own = proof(impostor.key, ROBOT, self.challenge, fields)
-        impostor.proofs.append(own)
         try:
-            await self.write_message(json.dumps({"type": "proof", "proof": impostor.recorded or own}))
-            while impostor.then:
+            await self.write_message(json.dumps({"type": "proof", "proof": proof(
+                self.key, ROBOT, self.challenge, fields)}))
+            while True:
                 for _ in range(BURST):
-                    await self.write_message(impostor.then)
+                    await self.write_message(self.message)
                 await asyncio.sleep(BURST_INTERVAL)
         except WebSocketClosedError:
             pass

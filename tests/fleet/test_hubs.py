@@ -52,31 +52,24 @@ def test_a_killed_hub_stops_what_it_drives_and_nothing_else(lesson):
     lesson.press(lesson.first)
 
 
-def test_a_frozen_hub_sends_no_late_command(lesson):
+@pytest.mark.parametrize("link", ["up", "down"], ids=["frozen", "its lid is closed"])
+def test_a_hub_that_goes_on_sends_no_late_command(lesson, link):
     hub, frozen_at = lesson.school.hub, time.monotonic()
     for robot in lesson.first, lesson.second:
         lesson.pages[robot.name].lets_go = False
+    hub.host.set_link(link)
     hub.freeze()
     for robot in lesson.first, lesson.second:
         lesson.stops(robot, frozen_at, "hub frozen")
     time.sleep(FROZEN)
-    hub.thaw()
-    lesson.is_back("hub goes on", lesson.first, lesson.second)
-    assert not wait_until(lambda: any(lesson.wheels.turned(robot.name, frozen_at + STOP_BOUND)
-                                      for robot in (lesson.first, lesson.second)), 2.0), "a late command"
-
-
-def test_a_laptop_whose_lid_is_closed_comes_back_and_drives_nothing(lesson):
-    hub, closed_at = lesson.school.hub, time.monotonic()
-    hub.host.set_link("down")
-    hub.freeze()
-    for robot in lesson.first, lesson.second:
-        lesson.stops(robot, closed_at, "lid closed")
-    time.sleep(FROZEN)
     assert all(lesson.wheels.turn(robot.name) for robot in lesson.school.robots[2:]), "the tablets drive on"
     hub.thaw()
     hub.host.set_link("up")
-    lesson.is_back("lid opened", lesson.first, lesson.second)
+    lesson.is_back("hub goes on", lesson.first, lesson.second)
+    assert not wait_until(lambda: any(lesson.wheels.turned(robot.name, frozen_at + STOP_BOUND)
+                                      for robot in (lesson.first, lesson.second)), 2.0), "a late command"
+    for robot in lesson.first, lesson.second:
+        lesson.pages[robot.name].let_go()
     lesson.press(lesson.first)
 
 

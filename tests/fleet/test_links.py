@@ -34,11 +34,6 @@ def test_a_robot_without_a_link_stops_and_waits_for_a_finger_when_it_is_back(les
     lesson.press(robot)
 
 
-def test_a_pupils_tablet_drives_on_while_another_robot_is_cut_off(lesson):
-    lesson.others_notice_nothing("a tablet, beside a cut", lambda: lesson.first.host.spoil(CUT, CUT),
-                                 lesson.third)
-
-
 @pytest.mark.short
 def test_a_poor_link_drives_and_stops(lesson):
     for robot in lesson.school.robots:
@@ -87,23 +82,6 @@ def test_a_router_that_restarts_stops_all_and_all_come_back(lesson):
     for host in hosts:
         host.set_link("up")
     lesson.is_back("router up", *lesson.school.robots)
-
-
-def test_robots_that_get_each_others_address_keep_their_names_and_do_not_turn(lesson):
-    first, second = lesson.first, lesson.second
-    numbers = first.number, second.number
-    try:
-        for robot, number in (first, numbers[1]), (second, numbers[0]):
-            robot.host.move(number)
-        for robot in first, second:
-            lesson.stops(robot, time.monotonic(), "addresses swapped")
-        lesson.is_back("addresses swapped", first, second)
-        lesson.press(first)
-        assert not lesson.wheels.turn(second.name)
-    finally:
-        for robot, number in zip((first, second), numbers):
-            robot.host.move(number)
-        lesson.school.list_robots()
 
 
 @pytest.mark.short

@@ -16,28 +16,23 @@ MEGABYTE, HUGE = "x" * 2**20, b"x" * 100_000
 FLOODS = 4  # connections of a stranger at once
 
 
-@pytest.fixture
-def listed(lesson):
-    """A function that starts an impostor on the stranger's computer, as one of the list of robots."""
-    school, started = lesson.school, []
-
-    def start(name, *how, **options):
-        started.append(Impostor(school.computers["stranger"], name, *how, **options))
-        school.fleet.save([*school.fleet.robots, Entry(LIAR, school.computers["stranger"].address)])
-        return started[-1]
-    yield start
-    school.list_robots()
-    for each in started:
-        each.close()
-
-
 FLOODING = {"floods": FLOOD, "sends a megabyte": MEGABYTE, "sends what is no JSON": "{" * 1000}
 
 
 @pytest.mark.parametrize("how", FLOODING)
-def test_a_robot_that_floods_the_hub_disturbs_no_other(lesson, listed, how):
-    lesson.others_notice_nothing(f"a robot that {how}",
-                                 lambda: listed(LIAR, lesson.school.fleet.key_of(LIAR), FLOODING[how]), lesson.second)
+def test_a_robot_that_floods_the_hub_disturbs_no_other(lesson, how):
+    school, started = lesson.school, []
+    host = school.computers["stranger"]
+
+    def appear():
+        started.append(Impostor(host, LIAR, school.fleet.key_of(LIAR), FLOODING[how]))
+        school.fleet.save([*school.fleet.robots, Entry(LIAR, host.address)])
+    try:
+        lesson.others_notice_nothing(f"a robot that {how}", appear, lesson.second)
+    finally:
+        school.list_robots()
+        for impostor in started:
+            impostor.close()
 
 
 def test_a_stranger_who_floods_a_robot_disturbs_no_other_and_does_not_keep_it_from_stopping(lesson):
