@@ -44,6 +44,13 @@ def test_stop_ends_a_text_whatever_it_does(blocks, world):
         blocks.undisturbed(stop)
 
 
+def test_stop_while_python_is_still_loaded_lets_the_text_never_begin(blocks, world):
+    page = blocks({**program(), "python": DRIVE + BUSY["prints"]})
+    page.run("for (const name of ['run', 'end']) document.getElementById(name).click()")
+    world.stay_stopped(ROBOT, for_seconds=0.5)
+    assert page.text("outcome") == "Stopped."
+
+
 def test_a_text_that_computes_stops_its_robot_at_pause_and_else_after_a_second(blocks, world):
     page = blocks({**program(), "python": DRIVE + BUSY["a long calculation"]})
     world.run(page, ROBOT)
