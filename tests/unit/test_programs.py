@@ -51,7 +51,8 @@ PROGRAMS = {
     "a z that drives": program(
         set_motion(0.1, 0.2), wait(0.1), block("robot_set", X=num(0.5), Z=call("f")), wait(0.3),
         functions=(define("f", wait(0.2), set_motion(0.3, 0.3), wait(0.1), value=num(0.4)),)),
-    "primes, and numbers of many digits": program(
+    "primes, halves, and numbers of many digits": program(
+        *(show(plug("math_round", {"OP": "ROUND"}, NUM=num(number))) for number in (0.5, 2.5, 3.5, -1.5)),
         *(show(check(number, "PRIME")) for number in (-7, 0, 1, 2, 2.5, 9, 91, 97)),
         *map(show, map(num, (1234567, 123456.789, 0.1234567, 1e-7)))),
 }
