@@ -239,6 +239,7 @@ def test_after_a_lost_connection_and_with_another_robot_values_come_again(page):
     show_curves(page)
     page.run("socket.close()")
     page.wait_for(lambda: "ms" not in page.text("link"), "the page to notice")
+    page.wait_for_link()
     before = length(page)
     page.wait_for(lambda: length(page) != before, "new values")
     page.choose(OTHER_ROBOT)
