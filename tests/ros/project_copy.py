@@ -7,8 +7,7 @@ from pathlib import Path
 from typing import Dict, Tuple
 
 ROOT = Path(__file__).parents[2]
-NOT_COPIED = ("build", "devel", "install", ".git", "__pycache__", "node_modules", "tests", "teleop_twist_keyboard",
-              "my_scenario")
+NOT_COPIED = ("build", "devel", "install", ".git", "node_modules", "tests", "teleop_twist_keyboard", "my_scenario")
 WORKSPACE = ("ROS", "CMAKE", "PYTHON", "PKG_CONFIG", "LD_LIBRARY", "JETBOT")  # variables that a sourced one sets
 
 
