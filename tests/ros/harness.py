@@ -24,7 +24,7 @@ from jetbot_ros.master import NO_ANSWER, address_of, ask, proxy
 from processes import SHUTDOWN_TIMEOUT, end, free_port, start  # noqa: F401 (tests import them from here)
 
 SHORT = 5.0  # s; what takes less is a bound that a robot keeps, and no mere end of this test's patience
-LOOK_INTERVAL = 0.01  # s
+LOOK_INTERVAL, LONGEST_LOOK = 0.01, 0.02  # s
 START_TIMEOUT = 60  # s for processes to start and to end; thirty controllers of another test may start meanwhile
 
 
@@ -173,11 +173,19 @@ class SharedRobotTest(RobotTest):
 def becomes_true(condition: Callable[[], object], within: float) -> bool:
     """Return whether the condition becomes true within this many seconds of a computer that has time.
 
-    A short time is counted in looks at the condition: a busy computer that is late here is late for the robot, too.
+    A short time counts at most LONGEST_LOOK per look at the condition: a busy computer that is late here is late for
+    the robot, too.
     """
     if within >= SHORT:
         return wait_until(condition, within)
-    return any(condition() or time.sleep(LOOK_INTERVAL) for _ in range(round(within / LOOK_INTERVAL) + 1))
+    passed, now = 0.0, time.monotonic()
+    while not condition():
+        if passed > within:
+            return False
+        time.sleep(LOOK_INTERVAL)
+        before, now = now, time.monotonic()
+        passed += min(now - before, LONGEST_LOOK)
+    return True
 
 
 def find_processes(text: str) -> List[int]:
