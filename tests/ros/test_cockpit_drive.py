@@ -50,30 +50,19 @@ def threads():
     return [thread for thread in threading.enumerate() if thread.name == "/red/cmd_vel"]
 
 
-def test_a_release_is_one_zero_and_then_the_publisher_has_ended(publisher):
+@pytest.mark.parametrize("let_go, ago, published", [
+    (True, 0.0, [(0.5, 0.1), (0.0, 0.0)]), (False, 0.0, [(0.5, 0.1), (0.0, 0.0)]),
+    (False, COMMAND_TIMEOUT, [(0.0, 0.0)])], ids=["a release", "silence", "a command that is too old"])
+def test_a_drive_ends_with_one_zero_and_then_its_publisher_has_ended(publisher, let_go, ago, published):
     drivers = Drivers()
-    drivers.drive("/red", (0.5, 0.1), commanded())
-    wait_until(lambda: publisher.published, TIMEOUT)
-    drivers.let_go("/red")
-    drivers.close()
-    assert publisher.published == [(0.5, 0.1), (0.0, 0.0)]
+    drivers.drive("/red", (0.5, 0.1), commanded(ago))
+    assert wait_until(lambda: publisher.published, TIMEOUT)
+    if let_go:
+        drivers.let_go("/red")
+        drivers.close()
+        assert publisher.published == published
     assert wait_until(lambda: publisher.ended and not threads(), TIMEOUT)
-    assert publisher.opened == ["/red/cmd_vel"]
-    assert publisher.published == [(0.5, 0.1), (0.0, 0.0)]
-
-
-def test_silence_is_one_zero_too(publisher):
-    drivers = Drivers()
-    drivers.drive("/red", (0.5, 0.1), commanded())
-    assert wait_until(lambda: publisher.ended, TIMEOUT)
-    assert publisher.published == [(0.5, 0.1), (0.0, 0.0)]
-
-
-def test_a_command_that_is_too_old_when_its_turn_comes_drives_nothing(publisher):
-    drivers = Drivers()
-    drivers.drive("/red", (0.5, 0.1), commanded(ago=COMMAND_TIMEOUT))
-    assert wait_until(lambda: publisher.ended, TIMEOUT)
-    assert set(publisher.published) == {(0.0, 0.0)}
+    assert publisher.opened == ["/red/cmd_vel"] and publisher.published == published
 
 
 def test_a_command_while_the_publisher_ends_is_driven_by_another(publisher):

@@ -55,6 +55,13 @@ def test_a_pupil_reads_and_changes_no_other_robots_programs_and_a_teacher_all(co
     assert [row["robot"] for row in post(cockpit, {"do": "list", "robot": None}, TEACHER)[1]["programs"]] == [FOREIGN]
 
 
+def test_a_program_of_another_class_is_refused(cockpit):
+    cockpit.classroom.id = OTHER
+    assert post(cockpit, {**SAVE, "class": ID}) == (409, say("other_class").fields())
+    assert post(cockpit, {**SAVE, "class": OTHER})[1]["class"] == OTHER
+    assert post(cockpit, {**SAVE, "class": None, "version": 1})[1]["class"] == OTHER
+
+
 def test_without_a_code_or_from_another_page_nobody_gets_in(cockpit):
     assert post(cockpit, LIST, grant=None)[0] == 403
     assert post(cockpit, LIST, Origin="http://evil.test")[0] == 403

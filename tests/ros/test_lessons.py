@@ -118,18 +118,17 @@ def test_problem_in_the_graph(running, check, arguments, problem):
     assert check(*arguments) == problem
 
 
-def test_node_without_a_publisher(running):
+@pytest.mark.parametrize("command, publishers, problem", [
+    (["/devel/lib/mine/drive"], {"/rosout": ["/mine/drive"]},
+     "/mine/drive has no rospy.Publisher: make one for /cmd_vel, and call its publish in a loop"),
+    ([], {"/cmd_vel": ["/mine/drive", "/dead"]},
+     "No node of mine runs; /dead was killed or hangs (fg, then Ctrl-C, stops it): "
+     "start it in another terminal with rosrun it; if it ends by itself, that terminal shows why")])
+def test_node_that_publishes_nothing_or_does_not_run(running, monkeypatch, command, publishers, problem):
     running.clear()
-    running["/rosout"] = ["/mine/drive"]
-    assert graph.check_publishes("mine", "/cmd_vel", "rosrun it") == (
-        "/mine/drive has no rospy.Publisher: make one for /cmd_vel, and call its publish in a loop")
-
-
-def test_node_does_not_run(running, monkeypatch):
-    monkeypatch.setattr(graph, "command_of", lambda node: [])
-    assert graph.check_publishes("mine", "/cmd_vel", "rosrun it") == (
-        "No node of mine runs; /dead was killed or hangs (fg, then Ctrl-C, stops it): "
-        "start it in another terminal with rosrun it; if it ends by itself, that terminal shows why")
+    running.update(publishers)
+    monkeypatch.setattr(graph, "command_of", lambda node: list(map(Path, command)))
+    assert graph.check_publishes("mine", "/cmd_vel", "rosrun it") == problem
 
 
 @pytest.mark.parametrize("path, whose", [
@@ -167,17 +166,15 @@ def test_where_a_script_was_started(mine, command_of, command, folder):
 
 
 @pytest.mark.parametrize("x, z, problem", [
+    (0.0, -0.01, None), (0.0, -0.2, None),
     (0.5, 0.0, "has linear.x 0.5, so the robot drives forward: leave linear.x at 0"),
     (-0.5, -0.05, "has linear.x -0.5, so the robot drives backward: leave linear.x at 0"),
     (0.0, 0.05, "has angular.z 0.05, which turns the robot to the left: write a number below 0"),
     (0.0, 0.0, "has angular.z 0, which turns no wheel: write -0.01 or less"),
     (0.0, -0.5, "has angular.z -0.5, which is fast: write a number between -0.2 and 0")])
-def test_command_that_does_not_turn_the_robot_on_the_spot_right_and_slowly(x, z, problem):
-    assert check_command(x, z).startswith(f"Your command {problem}")
-
-
-def test_command_that_does():
-    assert check_command(0.0, -0.01) is check_command(0.0, -0.2) is None
+def test_whether_a_command_turns_the_robot_on_the_spot_right_and_slowly(x, z, problem):
+    said = check_command(x, z)
+    assert said is None if problem is None else said.startswith(f"Your command {problem}")
 
 
 @pytest.fixture
