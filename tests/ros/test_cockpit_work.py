@@ -71,6 +71,16 @@ def test_without_a_code_or_from_another_page_nobody_gets_in(cockpit):
     assert request(cockpit.port, "GET", "/work", cockpit.headers(Content_Type="application/json")).status == 405
 
 
+def test_what_two_pages_make_of_one_version_is_both_kept_and_can_be_opened(cockpit):
+    post(cockpit, SAVE)
+    assert post(cockpit, {**SAVE, "version": 1, "name": "A"})[0] == 200
+    status, answer = post(cockpit, {**SAVE, "version": 1, "name": "B"}, TEACHER)
+    assert (status, answer["version"], answer["earlier"]) == (200, 3, [{"version": 2, "name": "A"}])
+    names = [post(cockpit, {"do": "open", "robot": MINE, "id": ID, **version})[1]["name"]
+             for version in ({}, {"version": 2})]
+    assert names == ["B", "A"]
+
+
 @pytest.mark.parametrize("change", [
     {"id": "../../etc/passwd"}, {"id": ID[1:]}, {"id": 7}, {"robot": 7}, {"robot": None}, {"version": -1},
     {"version": 1.5}, {"name": ""}, {"name": "x" * 41}, {"name": "a\nb"}, {"program": {}}, {"do": "run"}, {"do": []},
