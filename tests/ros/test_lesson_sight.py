@@ -44,19 +44,16 @@ def test_no_line_and_no_answer(check):
     assert check(0.04) == sight.SILENT
 
 
-@pytest.mark.parametrize("subscriptions, problem", [
-    ({"/camera/image_raw": "sensor_msgs/Image"},
+@pytest.mark.parametrize("subscriptions, kind, problem", [
+    ({"/camera/image_raw": "sensor_msgs/Image"}, "std_msgs/Float32",
      "/look does not subscribe to /camera/image_raw/compressed: use that in rospy.Subscriber"),
-    ({sight.PICTURES: "sensor_msgs/Image"},
-     "/look expects sensor_msgs/Image: use CompressedImage in rospy.Subscriber")])
-def test_no_answer_for_want_of_pictures(check, monkeypatch, subscriptions, problem):
+    ({sight.PICTURES: "sensor_msgs/Image"}, "std_msgs/Float32",
+     "/look expects sensor_msgs/Image: use CompressedImage in rospy.Subscriber"),
+    ({sight.PICTURES: "sensor_msgs/CompressedImage"}, "std_msgs/Float64",
+     "/dark_x is std_msgs/Float64, not std_msgs/Float32: use Float32 in rospy.Publisher")])
+def test_pictures_or_answers_of_another_kind(check, monkeypatch, subscriptions, kind, problem):
     monkeypatch.setattr(sight.graph, "subscriptions_of", lambda _: subscriptions)
-    assert check(0.04) == problem
-
-
-def test_an_answer_of_another_type(check):
-    assert check(0.04, 0.37, kind="std_msgs/Float64") == (
-        "/dark_x is std_msgs/Float64, not std_msgs/Float32: use Float32 in rospy.Publisher")
+    assert check(0.04, kind=kind) == problem
 
 
 def test_no_picture(check, monkeypatch):

@@ -48,10 +48,10 @@ def test_a_name_makes_no_watcher(ask, node, program, may):
     assert (ask("/odom", node, command=["/usr/bin/python3.8", program]) == "") is may
 
 
-@pytest.mark.parametrize("looks, blind", [
-    (["/pupil"] * 9, False), (["/record"] * 9, True), (["/record", "/record", "/pupil"] * 3, False),
-    (["/pupil", "/record"], False)])
-def test_somebody_looks_while_the_robot_moves(monkeypatch, looks, blind):
+@pytest.mark.parametrize("looks, moves, blind", [
+    (["/pupil"] * 9, True, False), (["/record"] * 9, True, True), (["/record", "/record", "/pupil"] * 3, True, False),
+    (["/pupil", "/record"], True, False), (["/record"] * 9, False, False)])
+def test_somebody_looks_while_the_robot_moves(monkeypatch, looks, moves, blind):
     states = iter([[{}, {"/red/camera/image_raw/compressed": [node]}, {}] for node in looks])
     monkeypatch.setattr(readers, "system_state", lambda: next(states))
     monkeypatch.setattr(readers, "condition_of", lambda _: True)
@@ -59,18 +59,9 @@ def test_somebody_looks_while_the_robot_moves(monkeypatch, looks, blind):
     monkeypatch.setattr(readers, "ASK_INTERVAL", 0.0)
     asked = Readers("/red")
     for _ in looks:
-        asked.poll(moves=True)
+        asked.poll(moves=moves)
     assert asked.are_blind is blind
     asked.start()
-    assert not asked.are_blind
-
-
-def test_a_robot_that_stands_needs_nobody_who_looks(monkeypatch):
-    monkeypatch.setattr(readers, "system_state", lambda: [{}, {}, {}])
-    monkeypatch.setattr(readers, "ASK_INTERVAL", 0.0)
-    asked = Readers("")
-    for _ in range(3):
-        asked.poll(moves=False)
     assert not asked.are_blind
 
 
