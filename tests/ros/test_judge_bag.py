@@ -79,8 +79,3 @@ def test_a_picture_is_not_drawn_through_a_link(judge, folder):
 def test_what_cannot_be_read_or_written_is_one_sentence(judge):
     assert judge("metre", "--bag", ".")[0].startswith("There is no file that ends in .bag in .")
     assert judge("metre", "--bag", "x", "--csv", "no/marks.csv")[0].startswith("[Errno 2] No such file or directory")
-
-
-def test_without_a_task_the_tasks_are_listed(judge):
-    code, text = judge()
-    assert (code, text.splitlines()[0].split(None, 1)) == (0, ["metre", "1 m straight ahead"])
