@@ -14,11 +14,10 @@ PAGES = "::test_pages["
 LONGEST = (PAGES, "::test_the_page[python_worker.test.js]", "/test_fleet_update.py::", "::test_rostest[class_judge]",
            "::test_rostest[judge]", "::test_rostest[check_lesson]", "::test_rostest[")
 FLEET = "tests/fleet/"  # all of these share one school
-BROWSER = "tests/browser/"  # each part of these tests shares a world and its browsers
-PARTS = {part: re.compile(f"{BROWSER}test_({names})") for part, names in {  # the longest first
-    "engines": "engines", "everybody": "accessibility|blocks|page|states",
-    "pad": "access[.]|camera|dead|driving|hub|stop", "lessons": "python_lesson|tablet", "class": "keys|robots|sharing",
-    "texts": "python_page|curves", "programs": "program|tasks", "safety": "python_safety", "work": "work"}.items()}
+BROWSER = "tests/browser/"  # the files that a process runs of these tests share a world and its browsers
+SLOWEST = [f"{BROWSER}test_{name}.py" for name in (  # of a browser's files, the longest first
+    "states", "engines", "python_safety", "python_lesson", "program", "curves", "python_page", "python_page_equal",
+    "hub_page", "sharing", "work", "accessibility", "driving", "camera", "keys", "access", "stop", "robots", "page")]
 PROCESSES = 8  # of ./morbot test
 OF_A_ROBOT = re.compile("JETBOT_|MORBOT$|ROSCONSOLE_|ROS_(MASTER_URI|IP|NAMESPACE|LOG_DIR)$|PYTHONWARNINGS$")
 ALLOWED_SKIPS = {  # in CI, where any other skip is an error: a part of a test's id, and why it may be skipped there
@@ -63,10 +62,8 @@ def refuse_skip(report):
 
 
 def scope_of(nodeid):
-    """Return what one process runs: a file, a long test, the pages of one pupil, or a part of those in a browser."""
+    """Return what one process runs: a file, a long test or the pages of one pupil."""
     file = nodeid.partition("::")[0]
-    if file.startswith(BROWSER):
-        return BROWSER + next((part for part, files in PARTS.items() if files.match(file)), "others")
     if file.startswith(FLEET):
         return FLEET
     if PAGES in nodeid:
@@ -75,8 +72,8 @@ def scope_of(nodeid):
 
 
 def rank(scope):
-    """Return the place of a part of the browser's tests; what is none of these parts comes last, as it is."""
-    return next((index for index, part in enumerate(PARTS) if scope == BROWSER + part), len(PARTS))
+    """Return the place of a file with a browser's tests; what is none of SLOWEST comes last, as it is."""
+    return SLOWEST.index(scope) if scope in SLOWEST else len(SLOWEST)
 
 
 def pytest_collection_modifyitems(config, items):
