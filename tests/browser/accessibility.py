@@ -2,7 +2,7 @@
 
 import os
 from pathlib import Path
-from typing import List, NamedTuple
+from typing import List, NamedTuple, Sequence
 
 import pytest
 
@@ -26,10 +26,10 @@ class Node(NamedTuple):
     state: List[str]
 
 
-def violations(page, but: str = "") -> List[str]:
+def violations(page, but: str = "", rules: Sequence[str] = RULES) -> List[str]:
     """Return the rules of axe-core that a page breaks in its present state, with the elements; skip without it.
 
-    but: a rule that is not checked.
+    but: a rule that is not checked; rules: these alone, or all with such a tag.
     """
     if not AXE.is_file():
         assert os.environ.get("CI") != "true", "axe-core is missing"
@@ -37,7 +37,7 @@ def violations(page, but: str = "") -> List[str]:
     if not page.run("return 'axe' in window"):
         page.run(AXE.read_text())
     return [f"{rule}: {target}: {meaning}: {summary}"
-            for rule, meaning, target, summary in page.driver.execute_async_script(AUDIT, RULES, but)]
+            for rule, meaning, target, summary in page.driver.execute_async_script(AUDIT, rules, but)]
 
 
 def tree(page) -> List[Node]:

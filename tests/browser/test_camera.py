@@ -4,7 +4,6 @@ import pytest
 
 from .conftest import OTHER_ROBOT, ROBOT
 from .screens import DESKTOP, TOUCH_SCREENS
-from .test_page import check_screen
 
 BLIND = "jetbot_09"  # without a camera
 PICTURE = """const camera = document.getElementById('camera');
@@ -34,29 +33,43 @@ def looking(page, world):
     return page
 
 
-def test_the_picture_follows_and_stop_stops_while_pictures_come(looking, world):
+def test_the_picture_follows_fits_each_screen_and_stop_stops_while_pictures_come(looking, world):
     before = looking.run(PICTURE)
     world.drive(looking, ROBOT, 0.0, 1.0)
     looking.wait_for(lambda: looking.run(PICTURE) not in ("", before), "another picture")
     with world.stops(ROBOT, what="a click on STOP beside the pictures"):
         looking.click("#stop")
-
-
-def test_picture_and_buttons_fit_the_screen_and_the_finger(looking):
     for screen in [*TOUCH_SCREENS, DESKTOP]:
-        check_screen(looking, screen, "pad", "stop", "status", "camera", "save-free", "save-blocked", "delete")
+        looking.resize(*screen, touch=screen != DESKTOP)
+        looking.wait_for(lambda: looking.fits("camera", "status"), f"the picture on {screen}")
         assert min(looking.run(MARGINS)) >= 5, (screen, looking.run(MARGINS))
 
 
-def test_a_camera_is_used_only_while_a_page_shows_it(looking, world):
+def wait_for_picture(page, world):
+    page.wait_for(lambda: page.run(PICTURE) and world.is_seen(ROBOT), "a picture")
+
+
+def test_a_camera_is_used_only_while_a_page_shows_it_and_pupils_see_it_while_their_teacher_lets_them(
+        looking, pupil, world):
     looking.new_tab()
     world.wait_for(lambda: not world.is_seen(ROBOT), 10.0, "the camera to rest while the page is hidden")
     looking.old_tab()
-    looking.wait_for(lambda: looking.run(PICTURE) and world.is_seen(ROBOT), "a picture")
+    wait_for_picture(looking, world)
     looking.click("#show-codes")
     world.wait_for(lambda: not world.is_seen(ROBOT), 10.0, "the camera to rest behind the codes")
+    pupil.click("#show-camera")
+    wait_for_picture(pupil, world)
+    looking.click("#cameras-switch")
+    pupil.wait_for_text("no-picture", "Your teacher has switched the cameras off.")
+    pupil.wait_for(lambda: pupil.run("return collect.hidden"), "the buttons to go")
+    assert not pupil.run(PICTURE)
     looking.click("#close-codes")
-    looking.wait_for(lambda: looking.run(PICTURE) and world.is_seen(ROBOT), "a picture")
+    wait_for_picture(looking, world)
+    looking.click("#show-codes")
+    looking.click("#cameras-switch")
+    wait_for_picture(pupil, world)
+    pupil.click("#show-camera")
+    looking.click("#close-codes")
     looking.click("#show-camera")
     world.wait_for(lambda: not world.is_seen(ROBOT), 10.0, "the camera to rest once it is closed")
 
@@ -73,7 +86,7 @@ def test_a_slow_page_gets_the_newest_picture_next(looking):
 
 def test_pictures_are_kept_and_deleted_by_who_drives(looking, pupil, world):
     pupil.click("#show-camera")
-    pupil.wait_for(lambda: pupil.run(PICTURE), "a picture")
+    wait_for_picture(pupil, world)
     world.drive(looking, ROBOT)
     looking.lift()
     for label in "free", "blocked":
@@ -94,22 +107,6 @@ def test_pictures_are_kept_and_deleted_by_who_drives(looking, pupil, world):
     looking.click("#delete")
     looking.wait_for_text("save-free", "0")
     assert not world.pictures(ROBOT, "free")
-
-
-def test_a_teacher_switches_the_cameras_of_pupils_off_and_on(looking, pupil):
-    pupil.click("#show-camera")
-    pupil.wait_for(lambda: pupil.run(PICTURE), "a picture")
-    looking.click("#show-codes")
-    looking.click("#cameras-switch")
-    pupil.wait_for_text("no-picture", "Your teacher has switched the cameras off.")
-    pupil.wait_for(lambda: pupil.run("return collect.hidden"), "the buttons to go")
-    assert not pupil.run(PICTURE)
-    looking.click("#close-codes")
-    looking.wait_for(lambda: looking.run(PICTURE), "the teacher's picture")
-    looking.click("#show-codes")
-    looking.click("#cameras-switch")
-    pupil.wait_for(lambda: pupil.run(PICTURE), "a picture again")
-    looking.click("#close-codes")
 
 
 def test_without_a_camera_the_page_says_so_and_shows_no_old_picture(looking, world):

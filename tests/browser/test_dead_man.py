@@ -7,15 +7,18 @@ from .conftest import OTHER_ROBOT, ROBOT
 from .world import LONGEST_GAP, moving
 
 
-def test_a_browser_that_freezes_and_continues_drives_only_after_the_finger_has_lifted(victim, world):
+def test_a_browser_that_freezes_drives_only_after_the_finger_has_lifted_and_the_teacher_sees_it(page, victim, world):
     freeze(victim, world)
     world.stay_stopped(ROBOT)
     victim.move(0.9, 0.1)
     world.stay_stopped(ROBOT)
     victim.lift()
     world.drive(victim, ROBOT)
-    with world.stops(ROBOT, what="the finger's release"):
-        victim.lift()
+    freeze(victim, world)
+    victim.lift()
+    page.click("#show-fleet")
+    page.wait_for_text("fleet", "network stalls")
+    assert "network stalls" not in page.text_of(f"#fleet li[data-robot='/{OTHER_ROBOT}']")
 
 
 def freeze(victim, world):
@@ -25,16 +28,6 @@ def freeze(victim, world):
             victim.signal(signal.SIGSTOP)
     finally:
         victim.signal(signal.SIGCONT)
-
-
-def test_the_teacher_sees_which_robots_network_stalls(page, victim, world):
-    for _ in range(2):
-        world.drive(victim, ROBOT)
-        freeze(victim, world)
-        victim.lift()
-    page.click("#show-fleet")
-    page.wait_for_text("fleet", "network stalls")
-    assert "network stalls" not in page.text_of(f"#fleet li[data-robot='/{OTHER_ROBOT}']")
 
 
 def test_the_switch_does_not_fire_while_a_finger_drives(page, world):

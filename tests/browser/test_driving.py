@@ -28,7 +28,7 @@ def turn_right(left, right):
     return right < 0 < left
 
 
-def test_the_wheels_follow_the_finger_and_show_the_lessons_formula(page, world):
+def test_the_wheels_follow_the_first_finger_and_stop_at_its_release_when_others_may_command_the_robot(page, world):
     world.drive(page, ROBOT, 1.0, wanted=lambda left, right: left == right > 0.4)
     for x, z, wanted in [(-1, 0, backward), (0, 1, turn_left), (0, -1, turn_right),
                          (0.9, 0.3, lambda left, right: 0 < left < right),
@@ -36,11 +36,8 @@ def test_the_wheels_follow_the_finger_and_show_the_lessons_formula(page, world):
         world.hold(page, lambda x=x, z=z: page.move(x, z), lambda: page.touch(0, 0), ROBOT, wanted)
     assert world.wheels(OTHER_ROBOT) == STOPPED
     world.hold(page, lambda: page.move(0.6, 0.2), lambda: page.touch(0, 0), ROBOT)
-    page.wait_for(lambda: re.search(FORMULA, page.text("wheels")), "the formula")
-
-
-def test_a_second_finger_changes_nothing_and_at_their_release_the_robot_stops_and_others_may_command_it(page, world):
-    world.drive(page, ROBOT, 1.0, wanted=forward)
+    page.wait_for(lambda: re.search(FORMULA, page.text("wheels")), "the lessons' formula")
+    world.hold(page, lambda: page.move(1.0, 0), lambda: page.touch(0, 0), ROBOT, forward)
     assert world.publishers(ROBOT)
     page.touch_event("touchStart", page.on_pad(1, 0), page.on_pad(-1, 0))
     page.touch_event("touchMove", page.on_pad(1, 0), page.on_pad(-1, 0.2))
@@ -128,14 +125,12 @@ def hold(key, page, world, wanted=forward):
     world.hold(page, lambda: page.press(key), lambda: page.let_go(key), ROBOT, wanted)
 
 
-def test_a_gamepads_stick_drives_until_it_is_let_go_or_the_gamepad_is_unplugged(page, world):
+def test_a_gamepads_stick_drives_until_its_end_and_what_was_held_during_a_break_must_return_first(page, world):
     for end in lambda: page.gamepad(0, 0), page.unplug_gamepad:
         world.hold(page, lambda: page.gamepad(0, -1), lambda: page.gamepad(0, 0), ROBOT, forward)
         with world.stops(ROBOT, what="the stick's release or the gamepad's end"):
             end()
 
-
-def test_a_gamepad_that_dies_stops_the_robot_until_its_stick_moves(page, world):
     def dies():
         page.gamepad(0, 0)
         world.hold(page, lambda: page.gamepad(0, -1), lambda: page.gamepad(0, 0), ROBOT, forward)
@@ -145,9 +140,7 @@ def test_a_gamepad_that_dies_stops_the_robot_until_its_stick_moves(page, world):
     world.stay_stopped(ROBOT)
     world.hold(page, lambda: page.gamepad(0, -0.98), lambda: page.gamepad(0, 0), ROBOT, forward)
     page.wait_for(lambda: not page.text("notice"), "the notice to go")
-
-
-def test_a_stick_that_was_held_during_a_break_must_return_to_the_centre(page, world):
+    page.gamepad(0, 0)
     world.hold(page, lambda: page.gamepad(0, -1), lambda: page.gamepad(0, 0), ROBOT, forward)
     with world.stops(ROBOT, what="the page's loss of the focus"):
         page.run("window.dispatchEvent(new Event('blur'))")
@@ -169,7 +162,7 @@ def test_a_stick_that_trembles_in_the_hand_drives_on_beside_a_dead_gamepad(page,
     world.wait_for(lambda: page.sent()[-1].time > start + 2.0 or world.paused(page, start), 20.0, "2 s of commands")
 
 
-def test_the_slider_sets_how_fast_full_deflection_is_and_drives_nothing(page, world):
+def test_the_slider_sets_how_fast_full_deflection_is_and_neither_it_nor_keys_in_a_text_drive(page, world):
     x, y = page.place_of("#speed")
     page.touch_event("touchStart", (x, y))
     page.touch_event("touchMove", (x + 20, y))
@@ -181,20 +174,17 @@ def test_the_slider_sets_how_fast_full_deflection_is_and_drives_nothing(page, wo
     world.drive(page, ROBOT, wanted=lambda left, right: 0.1 < left < 0.3)
     page.set("speed", "100")
     world.hold(page, lambda: None, lambda: page.touch(1, 0), ROBOT, lambda left, right: left > 0.9)
-
-
-def test_keys_in_a_text_field_are_text_and_arrows_move_the_slider_beside_which_w_drives(page, world):
+    page.lift()
+    page.click("#speed")
+    before = page.value("speed")
+    hold("w", page, world)
+    page.let_go("w")
+    world.wait_for_stop(ROBOT)
+    page.tap("ArrowDown")
+    assert page.value("speed") != before, "arrow keys move the slider"
     name, start = page.element("name"), time.time()
     name.clear()
     name.send_keys("wasd d")
     world.stay_stopped(ROBOT)
     assert page.value("name") == "wasd d"
     assert not any(command.time > start for command in page.sent())
-    page.click("#speed")
-    before = page.value("speed")
-    hold("w", page, world)
-    page.let_go("w")
-    world.wait_for_stop(ROBOT)
-    page.tap("ArrowUp")
-    assert page.value("speed") != before
-    world.stay_stopped(ROBOT)

@@ -1,5 +1,7 @@
 """The page for programs by keys alone: no mouse, no finger, and the focus is never lost."""
 
+import pytest
+
 from .conftest import ROBOT
 from .messages import TASKS
 from .programs import drive, plug, program, show, wait
@@ -14,6 +16,12 @@ LISTEN = """window.said = [];
         if (each.ariaLive !== "off") said.push(each.textContent);
     }).observe(each, {childList: true});"""
 TEXT_BOX = "Blockly.getMainWorkspace().getBlocksByType('text')[0].getField('TEXT').showEditor()"
+
+
+@pytest.fixture
+def blocks(same_blocks):
+    return same_blocks.again()
+
 
 def wait_for_spoken(page, words):
     page.wait_for(lambda: words in (page.run(SPOKEN) or ""), f"{words!r} to have the focus")
@@ -54,7 +62,7 @@ def test_t_and_w_lead_to_the_blocks_from_anywhere_but_are_letters_in_a_text(bloc
     page = blocks(program())
     page.type("title", "two")
     assert page.value("title") == "two"
-    for name in "run", "speed", "output", "stop":
+    for name in "run", "output":
         for key, spoken in (("t", None), ("w", "1 stack of blocks")):
             page.tab_to(name)
             page.tap(key)
@@ -95,6 +103,11 @@ def test_who_leaves_a_move_gets_where_they_go_and_the_keys_of_the_blocks_still_w
 @undisturbed
 def test_the_focus_stays_while_a_program_runs_pauses_stops_and_ends(blocks):
     page = blocks(ENDLESS)
+    for name in "pause", "end":
+        page.tab_to(name)
+        page.tap("Enter")
+        page.click(f"#{name}")
+    assert page.text("outcome") == "Press Run." and page.text("pause") == "Pause", "there is nothing to pause or end"
     for name, sentence in (("run", "Running"), ("pause", "Paused"), ("step", "Paused"), ("pause", "Running"),
                            ("end", "Stopped."), ("run", "Running")):
         page.tab_to(name)
@@ -109,15 +122,6 @@ def test_the_focus_stays_while_a_program_runs_pauses_stops_and_ends(blocks):
     page.tap("Enter")
     page.wait_for_text("outcome", "divides by 0")
     wait_for_focus(page, "run", "the block is marked alone")
-
-
-def test_a_button_that_can_do_nothing_does_nothing(blocks):
-    page = blocks(program(drive(0.5, 1)))
-    for name in "pause", "end":
-        page.tab_to(name)
-        page.tap("Enter")
-        page.click(f"#{name}")
-    assert page.text("outcome") == "Press Run." and page.text("pause") == "Pause"
 
 
 def test_the_focus_is_not_lost_by_sheets_examples_files_tasks_and_blocks(blocks):

@@ -1,34 +1,45 @@
-"""The page fits the screen, and works with a keyboard alone, with a finger, and with a screen reader."""
+"""A teacher's page with a class that only it knows: what fits and stands out, what has the focus, and what is said."""
 
-from jetbot.wait import wait_until
+import pytest
 
-from .conftest import OTHER_ROBOT, ROBOT
-from .messages import DONE, LONG
-from .screens import DESKTOP, FINGER, MOUSE, TOUCH_SCREENS
-from .test_driving import hold
-
-SMALL_PHONE = (320, 568)  # px
-COUNT_MOVING = """return [...document.querySelectorAll('*')].filter(each => {
-    const style = getComputedStyle(each);
-    return style.animationName !== 'none' || style.transitionDuration.split(', ').some(time => time !== '0s');
-}).length"""
-
+from .conftest import OTHER_ROBOT, ROBOT, opened
+from .messages import BEN, BEST, DONE, LONG, TASK, codes_of, robot_named
+from .screens import DESKTOP, TOUCH_SCREENS
 
 GAP_ABOVE_PAD = """const bottom = Math.max(...[...document.querySelectorAll('#bar :is(button, a)')]
     .map(each => each.getBoundingClientRect().bottom));
 return document.getElementById('pad').getBoundingClientRect().top - bottom"""
+FOCUSED = """const {activeElement: each} = document;
+return each.id || [each.className, each.closest("[data-robot]")?.dataset.robot].join(" ")"""
+LISTEN = """window.said = [];
+const regions = "[aria-live], [role=status], [role=alert]";
+new MutationObserver((changes) => {
+    for (const {target} of changes) {
+        const region = (target.closest ? target : target.parentElement).closest(regions);
+        if (region && region.ariaLive !== "off" && target.textContent) said.push(target.textContent);
+    }
+}).observe(document.body, {subtree: true, childList: true, characterData: true});"""
 
 
-def test_the_choice_of_the_language_is_in_the_bar_which_stays_one_row_on_a_pupils_phone(page, pupil):
-    for screen in [SMALL_PHONE, *TOUCH_SCREENS, DESKTOP]:
-        for each in page, pupil:
-            each.resize(*screen)
-            each.wait_for(lambda each=each: each.outside("#bar .language", "#bar") == [], f"the choice on {screen}")
-        assert pupil.element("bar").size["height"] < 50 or screen == SMALL_PHONE, screen
+@pytest.fixture(scope="module")
+def opened_page(browsers, world):
+    yield from opened(browsers(1), world, world.address)
+
+
+@pytest.fixture
+def page(opened_page):
+    """The page on a desktop; it gets nothing of the cockpit once it has received a class."""
+    opened_page.resize(*DESKTOP, touch=False)
+    return opened_page
+
+
+def test_a_pupils_bar_stays_one_row(pupil):
+    for screen in [*TOUCH_SCREENS, DESKTOP]:
+        pupil.resize(*screen)
+        assert pupil.element("bar").size["height"] < 50, screen
 
 
 def test_a_teacher_sees_a_class_on_one_screen_each_status_to_its_end_and_all_robots_on_the_map(page):
-    page.resize(*DESKTOP, touch=False)
     page.receive_class(status="stopped: no command for 1.0 s", fake=True)
     page.wait_for_text("fleet", "15 robots")
     assert page.outside("#fleet li", "#fleet-list") == []
@@ -43,7 +54,7 @@ def test_a_teacher_sees_a_class_on_one_screen_each_status_to_its_end_and_all_rob
 
 def test_a_teacher_reads_who_drives_to_its_end_and_no_button_touches_the_pad(page):
     page.receive_class(2, driver={"id": 99, "name": "Maximilian-Alexander"})
-    for screen in (1024, 768), DESKTOP:
+    for screen in DESKTOP, (1024, 768):
         page.resize(*screen)
         page.wait_for_text("fleet", "Maximilian-Alexander drives it")
         assert page.cut("#fleet .who") == [], screen
@@ -53,7 +64,6 @@ def test_a_teacher_reads_who_drives_to_its_end_and_no_button_touches_the_pad(pag
 
 
 def test_go_on_is_offered_only_where_something_waits(page):
-    page.resize(*DESKTOP)
     for held, waiting, offered in (("robot", [], True), ("programs", [], False), ("programs", ["/circle"], True)):
         page.receive_class(2, state="stopped", held=held, waiting=waiting)
         page.wait_for(lambda offered=offered: [page.element(each).is_displayed() for each in ("go-on", "all-go-on")]
@@ -73,57 +83,78 @@ def test_on_an_upright_tablet_the_map_keeps_a_third_and_on_small_screens_the_leg
 
 def test_bars_and_trails_stand_out_by_day_and_by_night(page):
     zigzag = [[x / 2, 20 * (-1) ** x] for x in range(-40, 41)]  # wherever the map's middle is
-    try:
-        for scheme in "dark", "light":
-            page.media(prefers_color_scheme=scheme)
-            for color in "#000080", "#ffff00":
-                page.receive_class(1, color, pose=None)
-                page.receive({"type": "trail", "robot": "/jetbot_01", "points": zigzag})
-                page.choose("jetbot_01")
-                page.wait_for(lambda: min(page.contrast_of_robot()) >= 3, f"{color} to stand out, {scheme}")
-                shown = page.run("return document.documentElement.style.getPropertyValue('--robot')")
-                page.wait_for(lambda shown=shown: page.shows_on_map(shown), f"the trail in {shown}, {scheme}")
-    finally:
-        page.media()
+    for scheme in "dark", "light":
+        page.media(prefers_color_scheme=scheme)
+        for color in "#000080", "#ffff00":
+            page.receive_class(1, color, pose=None)
+            page.receive({"type": "trail", "robot": "/jetbot_01", "points": zigzag})
+            page.choose("jetbot_01")
+            page.wait_for(lambda: min(page.contrast_of_robot()) >= 3, f"{color} to stand out, {scheme}")
+            shown = page.run("return document.documentElement.style.getPropertyValue('--robot')")
+            page.wait_for(lambda shown=shown: page.shows_on_map(shown), f"the trail in {shown}, {scheme}")
 
 
-def check_screen(page, screen, *parts):
-    page.resize(*screen, touch=screen != DESKTOP)
-    wait_until(lambda: page.fits(*parts), 20.0)
-    assert page.misplaced(*parts) == [] and page.fits(*parts), f"not all is on the screen of {screen}"
-    assert page.small_controls(MOUSE if screen == DESKTOP else FINGER) == [], screen
+def focus_on(page, selector):
+    page.run("document.querySelector(arguments[0]).focus()", selector)
+    assert page.run("return document.activeElement.matches(arguments[0])", selector), selector
 
 
-def test_each_control_has_a_name_and_is_reached_by_tab_and_the_keyboard_alone_drives_and_stops(page, world):
-    controls = page.controls()
-    for name in {*controls, "pad", "map", "wheels"}:
-        assert page.element(name).accessible_name, f"#{name} has no label"
-    assert page.element("status").aria_role == "status"
-    assert page.element("link").get_attribute("aria-live") == "off", "the round trip is not read out each second"
-    assert {"pad", "stop", "release", "robot", "speed", "name"} <= set(controls)
-    assert set(controls) <= {page.tab() for _ in range(len(controls) + 5)}
-    page.tab_to("speed")
-    page.tap("ArrowLeft")
-    assert page.value("speed") == "45"
-    world.stay_stopped(ROBOT)
-    page.tab_to("robot")
-    page.tap("ArrowDown")
-    assert page.value("robot") == f"/{OTHER_ROBOT}"
-    page.tap("ArrowUp")
-    page.tab_to("pad")
-    hold("ArrowUp", page, world)
-    page.let_go("ArrowUp")
-    page.tab_to("stop")
-    page.tap("Enter")
-    page.wait_for_text("status", "emergency stop")
-    page.tab_to("release")
-    page.tap("Enter")
-    page.wait_for_text("status", "was released")
+def wait_for_focus(page, wanted):
+    page.wait_for(lambda: page.run(FOCUSED) == wanted, f"the focus on {wanted}")
 
 
-def test_nothing_moves_for_those_who_prefer_that(page):
-    page.media(prefers_reduced_motion="reduce")
-    try:
-        assert page.run(COUNT_MOVING) == 0
-    finally:
-        page.media()
+def of_class(robots=2, **state):
+    return lambda page: page.receive_class(robots, **state)
+
+
+def shows_codes(page):
+    page.click("#show-codes")
+    page.receive(codes_of(3))
+
+
+def a_robot_comes(page):
+    page.receive({"type": "robots", "robots": [robot_named(name) for name in ("ada", ROBOT, OTHER_ROBOT)]})
+    page.wait_for_text("fleet-list", "ada")
+
+
+LOSSES = [  # what comes first, what has the focus, what takes that from it, and what has it then
+    (of_class(driver=BEN), "#take", of_class(held="robot"), "pad"),
+    (of_class(held="robot"), "#go-on", of_class(), "pad"),
+    (shows_codes, "#close-codes", lambda page: page.tap("Enter"), "show-codes"),
+    (of_class(3), "#name", lambda page: page.tap("Enter"), "pad"),
+    (shows_codes, "#codes-list li:last-child input", lambda page: page.tap("Enter"), "print-codes"),
+    (lambda page: page.click("#close-codes"), "#robot", of_class(1), "show-codes"),
+    (lambda page: page.receive(BEST), "#show-scores", lambda page: page.receive({**BEST, "scores": []}), "to-program"),
+    (of_class(2), f"[data-robot='/{OTHER_ROBOT}'] .stop-one", a_robot_comes, f"stop-one /{OTHER_ROBOT}"),
+    (of_class(3), "[data-robot='/jetbot_03'] .stop-one", of_class(2), "robot"),
+    (of_class(1, pictures={"free": 1, "blocked": 0, "problem": None}), "#save-free", of_class(1), "zoom-in"),
+]
+
+
+def test_the_focus_is_never_lost(page):
+    page.click("#show-camera")
+    for before, control, act, then in LOSSES:
+        before(page)
+        page.wait_for(lambda control=control: page.driver.find_element("css selector", control).is_displayed(), control)
+        focus_on(page, control)
+        act(page)
+        wait_for_focus(page, then)
+    page.click("#show-camera")
+
+
+def test_what_changes_all_the_time_is_not_said_and_what_counts_is_said_once(page):
+    page.receive_class(2)
+    page.wait_for_text("status", "waiting for its status")
+    page.run(LISTEN)
+    for number in range(20):
+        task = {**TASK, "state": "driving", "seconds": number / 10}
+        page.receive_class(2, pose=[number / 10, 0, 0], speed=[number / 10, 0], command=[number / 20, 0], task=task,
+                           wheels=[number / 20] * 2, status="driving", driver={**BEN, "name": f"Ben {number}"})
+        page.wait_for_text("driver", f"Ben {number} drives")
+    assert page.run("return said") == ["driving"]
+    page.receive_class(2, status="stopped: its motors", cause="board", state="stopped", stopped=True)
+    page.receive({"type": "notice", "code": "", "text": "Ask Ben.", "template": "Ask {driver}.",
+                  "arguments": {"driver": "Ben"}})
+    page.wait_for_text("status", "its motors")
+    page.wait_for_text("notice", "Ask Ben.")
+    assert sorted(page.run("return said")) == ["Ask Ben.", "driving", "stopped: its motors"]

@@ -16,7 +16,7 @@ from .conftest import OTHER_ROBOT, ROBOT
 from .messages import TASKS
 from .programs import block, chain, drive, let, num, plug, program, set_motion, show, var, wait
 from .screens import DESKTOP, TOUCH_SCREENS
-from .test_accessibility import LISTEN
+from .test_page import LISTEN
 from .test_stop import release
 
 FORWARD = (0.5, 0.5)
@@ -35,6 +35,11 @@ CLEAR = """const { left, top, width } = document.getElementById(arguments[0]).ge
     return shown.closest("#" + arguments[0]) !== null"""
 
 
+@pytest.fixture
+def blocks(same_blocks):
+    return same_blocks.again()
+
+
 def undisturbed(test):
     """Let a test do all again, from its program's start on, only if it fails and the page or this process paused."""
     @functools.wraps(test)
@@ -47,6 +52,12 @@ def run(page, world, speeds=FORWARD, button="run"):
     """Run the program until the wheels turn at these speeds, as far as the chip's steps can tell."""
     world.hold(page, lambda: page.start_program(button), lambda: page.click("#end"), ROBOT,
                lambda *wheels: close(wheels, speeds))
+
+
+def reload(page):
+    page.driver.refresh()
+    page.wait_for_link()
+    page.choose(ROBOT)
 
 
 def close(wheels, speeds):
@@ -156,29 +167,20 @@ def test_a_program_that_asks_for_too_much_or_for_nothing_says_so_at_its_end_and_
         assert page.has(f".robot_{marked} > .blocklyPassiveFocus")
 
 
-def test_a_forged_program_is_refused_in_a_sentence_and_the_one_before_stays(blocks):
+@undisturbed
+def test_a_forged_program_is_refused_markup_in_names_stays_a_name_and_a_thousand_blocks_are_kept(blocks):
     page = blocks(program(show(num(5))))
     blocks(program({**block("math_number_property"), "extraState": 5}))
     page.wait_for(lambda: page.text("notice").endswith("."), "a sentence")
     assert page.run("return Blockly.getMainWorkspace().getAllBlocks().length") == 3
-
-
-@undisturbed
-def test_markup_and_ends_of_lines_in_names_stay_names(blocks):
     evil = "</svg><img src=x onerror=window.evil=1>\r\nimport os\nos.x()"
-    page = blocks({**program(let("x", num(1)), show(plug("text", {"TEXT": evil})), wait(9)),
-                   "variables": [{"name": evil, "id": "x"}]})
+    blocks({**program(let("x", num(1)), show(plug("text", {"TEXT": evil})), wait(9)),
+            "variables": [{"name": evil, "id": "x"}]})
     page.wait_for_text("python", "print(")
     page.click("#run")
     page.wait_for_text("prints", "</svg><img")
     assert not page.run("return window.evil || document.querySelector('img')")
     assert not [line for line in page.text("python").splitlines() if line.strip().startswith(("import os", "os."))]
-
-
-@undisturbed
-def test_a_thousand_blocks_load_and_are_kept(blocks):
-    page = blocks(program())
-    page.wait_for(lambda: "drive(" not in page.text("python"), "an empty program")
     blocks(program(*[block("controls_repeat_ext", TIMES=num(1), DO=chain(*[drive(0.5, 1)] * 32))] * 10))
     page.wait_for(lambda: page.text("python").count("drive(0.5, 0, 1)") == 320, "the Python of all blocks")
     page.type("title", "Large")
@@ -207,53 +209,41 @@ def test_a_number_may_have_a_decimal_comma_and_is_large_enough_for_a_finger(bloc
     assert min(size.values()) >= 32, "a finger does not hit it"
 
 
-def test_the_map_shows_the_trail_of_the_run_alone(blocks):
+def test_the_map_shows_the_robot_the_tasks_world_and_the_trail_of_the_run_alone(blocks):
     page = blocks(program())
-    page.click("#show-map")
-    page.wait_for(page.robot_on_map, "the robot on the map")
-    page.run(NOTE_LINES)
-
-    def act():
-        blocks(program(drive(0.5, 1.5)))
-        page.click("#run")
-        page.wait_for_text("outcome", "The program has ended.")
-        page.wait_for(lambda: page.run("return longest()") > 8, "its trail")
-        blocks(program(wait(0.3)))
-        page.click("#run")
-        page.wait_for_text("outcome", "The program has ended.")
-        page.wait_for(lambda: 0 < page.run("return longest()") < 5, "no trail")
-    blocks.undisturbed(act)
-    page.click("#show-map")
-
-
-def test_the_map_shows_the_robot_its_trail_and_the_tasks_world_while_the_program_runs(blocks, world):
-    page = blocks(program(drive(0.5, 30)))
+    page.driver.execute_cdp_cmd("Network.enable", {})
+    page.driver.execute_cdp_cmd("Network.setBlockedURLs", {"urls": ["*/map.js"]})
+    reload(page)
     page.receive({"type": "scene", "robot": f"/{ROBOT}", "shapes": [
         {"kind": "course", "width": 0.01, "points": [[0, 0], [1, 0]]},
         {"kind": "goal", "width": 0.2, "points": [[1, 0], [1.2, 0]]}]})
-    page.driver.execute_cdp_cmd("Network.enable", {})
-    page.driver.execute_cdp_cmd("Network.setBlockedURLs", {"urls": ["*/map.js"]})
     page.click("#show-map")
     page.wait_for_text("notice", "This could not be loaded. Try again.")
     page.driver.execute_cdp_cmd("Network.setBlockedURLs", {"urls": []})
     page.click("#show-map")
     page.click("#show-map")
     assert not page.text("python")
-    run(page, world)
     page.wait_for(page.robot_on_map, "the robot on the map")
     page.wait_for(lambda: page.shows_on_map("#7c3aed"), "the task's goal")
+    page.run(NOTE_LINES)
+
+    def act():
+        for content, points in (drive(0.5, 1.5), range(9, 999)), (wait(0.3), range(1, 5)):
+            blocks(program(content))
+            page.click("#run")
+            page.wait_for_text("outcome", "The program has ended.")
+            page.wait_for(lambda points=points: page.run("return longest()") in points, "the trail of this run alone")
+    blocks.undisturbed(act)
     page.click("#show-map")
-    page.wait_for_text("python", "drive(0.5, 0, 30)")
+    page.wait_for_text("python", "0.3")
 
 
 @undisturbed
 def test_the_name_that_is_typed_here_is_announced_after_a_reload_too(blocks, world, pupil):
     page = blocks(program())
     page.type("name", "Ada")
-    page.driver.refresh()
-    page.wait_for_link()
+    reload(page)
     page.run("localStorage.removeItem('name')")
-    page.choose(ROBOT)
     run(blocks(program(drive(0.5, 30))), world)
     pupil.wait_for_text("driver", "Ada drives it")
 
@@ -317,27 +307,20 @@ PLACES = """return ["There is a newer version of this program. ".repeat(2), "Not
     document.getElementById("newer").hidden = !text;
     return JSON.stringify(document.getElementById("blocks").getBoundingClientRect());
 });"""
-
-
-def test_what_is_said_of_keeping_moves_nothing_and_the_outcome_stays_beside_what_is_printed(blocks):
-    page = blocks(program(drive(0.5, 1)))
-    page.run(MANY_PRINTS)
-    for screen in TABLETS:
-        page.resize(*screen)
-        assert len(set(page.run(PLACES))) == 1, screen
-        page.wait_for(lambda: not page.outside("#outcome", "#output"), f"the outcome on {screen}")
-
-
 JUDGED = """scrollTo(0, 0);
     document.getElementById("outcome").textContent = "The program has ended. A wheel takes 1 at most, not 3.33.";
     document.getElementById("judge").click();"""
 SCORE = "One metre: 94.5 points, 12.4 s. Largest loss: it ended 4 cm behind the goal, 2.3 points."
 
 
-def test_why_a_program_has_ended_and_its_score_are_in_sight_on_each_screen(blocks):
+def test_whatever_is_said_the_blocks_do_not_move_outcome_and_score_are_in_sight_and_all_is_reached(blocks):
     page = blocks(program(drive(0.5, 1)))
     page.receive(TASKS)
     page.run(MANY_PRINTS)
+    for screen in TABLETS:
+        page.resize(*screen)
+        assert len(set(page.run(PLACES))) == 1, screen
+        page.wait_for(lambda: not page.outside("#outcome", "#output"), f"the outcome on {screen}")
     for screen in [*TOUCH_SCREENS, DESKTOP]:
         page.resize(*screen)
         page.run(JUDGED)
@@ -346,10 +329,6 @@ def test_why_a_program_has_ended_and_its_score_are_in_sight_on_each_screen(block
         page.wait_for(lambda: not page.outside("#outcome, #score", "#result") and page.fits("outcome", "score", "stop"),
                       f"outcome and score on {screen}")
         assert page.overlapping() == [], screen
-
-
-def test_on_a_small_or_magnified_screen_all_of_the_page_is_reached_and_stop_stays(blocks):
-    page = blocks(program(drive(0.5, 1)))
     for screen in SMALL:
         page.resize(*screen)
         page.receive({"type": "notice", "text": "Somebody else drives the robot. " * 3})

@@ -11,7 +11,7 @@ from jetbot_control_node.status.remarks import remark
 from jetbot_ros.state import CAUSES
 
 from . import pseudo_language
-from .accessibility import violations
+from .accessibility import RULES, violations
 from .conftest import ROBOT
 from .messages import BEN, BEST, DONE, LONG, TASKS, codes_of, receive_fleet
 from .programs import block, calculate, drive, num, plug, program, show, wait
@@ -20,8 +20,7 @@ from .screens import DESKTOP, FINGER, MOUSE
 from .test_python_page import suggested, type_at_end
 from .test_work import edit
 
-SCREENS = [  # px; the last ones are a desktop's page, and a projector's, magnified
-    (360, 640), (390, 844), (844, 390), (820, 1180), (1180, 820), (320, 568), (640, 400), (400, 300), DESKTOP]
+SCREENS = [(320, 568), (390, 844), (844, 390), (820, 1180), (1180, 820), (640, 400), (400, 300), DESKTOP]  # px
 WITH_MOUSE = DESKTOP, (640, 400)
 NAME = "a_robot_with_a_name_of_forty_characters_"
 LONG_TEXTS = f"""document.getElementById('notice').textContent = '[{LONG}]';
@@ -76,21 +75,14 @@ def loses_the_connection(page):
     page.wait_for(lambda: page.has(".offline"), "the end of the connection")
 
 
-def nothing(_):
-    """Leave the page as it is."""
-
-
 PAD = {  # what leads to each state from the one before
-    "connected": nothing, "driven": drives, "long texts": has_long_texts, "waiting": waits,
-    "camera": press("show-camera"), "best": lambda page: (drives(page), page.click("#show-scores")),
-    "no robot": lambda page: (page.click("#close-scores"), page.receive({"type": "robots", "robots": []})),
-    "lost": loses_the_connection, "login": asks_for_the_code}
-TEACHERS_PAD = {
-    **{name: PAD[name] for name in ("connected", "driven", "long texts", "waiting")},
+    "connected": lambda page: None, "driven": drives, "long texts": has_long_texts, "waiting": waits,
     "list": lambda page: page.run("document.getElementById('show-fleet').click()"),
     "codes": shows_codes, "one code": lambda page: page.click("#codes-list .enlarge"),
     "hub": lambda page: (press("close-codes", "close-codes")(page), is_of_a_hub(page)),
-    **PAD}
+    "camera": press("show-camera"), "best": lambda page: (drives(page), page.click("#show-scores")),
+    "no robot": lambda page: (page.click("#close-scores"), page.receive({"type": "robots", "robots": []})),
+    "lost": loses_the_connection, "login": asks_for_the_code}
 
 
 def opens(content):
@@ -124,6 +116,7 @@ def menu(page):
 
 
 def judged(page):
+    page.click("#end")
     page.receive(TASKS)
     page.run("document.getElementById('judge').click()")
     page.wait_for_text("score", "No judge has this task")
@@ -159,9 +152,9 @@ PROGRAMS = {
     "a move": in_blocks("m"),
     "ended by an error": runs(FAILS, "divides by 0"),
     "running": runs(ENDLESS, "Running"),
-    "stopped": lambda page: page.tap("Escape"),
     "judged": judged,
     "Programs": opens_sheet("programs", "work"),
+    "Class": opens_sheet("overview-button", "overview"),
     "map": lambda page: (page.tap("Escape"), page.has("#show-map[aria-pressed=true]") or page.click("#show-map")),
     "question": lambda page: (page.click("#show-map"), page.click("#edit")),
     "text": edit,
@@ -169,16 +162,19 @@ PROGRAMS = {
     "text that failed": runs({**program(), "python": "def f(x)\n    return 'ä' + 1 / x  # 0\n"}, "colon"),
     "way back": press("to-blocks"),
     "login": asks_for_the_code}
-TEACHERS_PROGRAMS = {name: act for each in PROGRAMS for name, act in (
-    (each, PROGRAMS[each]), *[("Class", opens_sheet("overview-button", "overview"))] * (each == "Programs"))}
+# A pupil's page is a teacher's without some buttons: in these states it has another layout
+PUPILS_PAD = "connected", "driven", "waiting", "camera", "lost", "login"
+PUPILS_PROGRAMS = "no blocks", "judged", "Programs", "login"
 
 
-@pytest.mark.parametrize("path, states", [("", TEACHERS_PAD), ("program", TEACHERS_PROGRAMS)], ids=["pad", "programs"])
+@pytest.mark.parametrize("path, states", [("", PAD), ("program", PROGRAMS)], ids=["pad", "programs"])
 def test_a_teachers_page(path, states, page, world):
     check(page, f"{world.address}{path}", states)
 
 
-@pytest.mark.parametrize("path, states", [("", PAD), ("program", PROGRAMS)], ids=["pad", "programs"])
+@pytest.mark.parametrize("path, states", [
+    ("", {name: PAD[name] for name in PUPILS_PAD}), ("program", {name: PROGRAMS[name] for name in PUPILS_PROGRAMS}),
+], ids=["pad", "programs"])
 def test_a_pupils_page(path, states, pupil, world):
     check(pupil, world.codes()["pupil"].replace("#", f"{path}#"), states)
 
@@ -187,21 +183,23 @@ ABSENT = """#show-fleet, #fleet *, .covered :is(#view, #wheels, #steering, #limi
     .enlarged :is(#bar, #codes-cameras, #codes-tasks) *, details:not([open]) *"""  # of a pad, on some screen
 ON_PHONES = ", #save, #package, #open, #pace *, [id^=show-], #edit, #side #tools *"  # of a page for programs
 OF_REAL_LANGUAGES = "label-content-name-mismatch"  # [Stop s] is not in [Stop jetbot_01 p]
-KEYS_OF_THEIR_OWN = {"a choice", "a number", "a menu", "a move", "text", "suggestions", "text that failed"}
+# Only the blocks differ from "no blocks", or have the keys
+IN_BLOCKS = {"an example", "blocks", "a choice", "a number", "a menu", "a move"}
+IN_A_TEXT = {"text", "suggestions", "text that failed"}  # which has the Tab key
 
 
 def look(page, state):
     """Return what is wrong with a page in its present state."""
     found = [f"English: {text}" for text in page.untranslated(*KNOWN)]
-    for scheme, screens in ("dark", SCREENS[:4]), ("light", SCREENS[4:]):
+    for scheme, screens, rules in ("dark", SCREENS[:4], RULES), ("light", SCREENS[4:], ["color-contrast"]):
         page.media(prefers_color_scheme=scheme, prefers_reduced_motion="reduce")
-        for width, height in screens:
+        for width, height in screens[-1:] if state in IN_BLOCKS else screens:
             page.resize(width, height, touch=(width, height) not in WITH_MOUSE)
             absent = ABSENT + ON_PHONES * (width <= 700 or height <= 500)
             least = MOUSE if (width, height) in WITH_MOUSE else FINGER
             found += [f"on {width} x {height}, {fault}" for fault in page.faults(least, absent)]
-        found += [f"on {width} x {height}, {scheme}: {rule}" for rule in violations(page, but=OF_REAL_LANGUAGES)]
-    if state not in KEYS_OF_THEIR_OWN:
+        found += [f"on {width} x {height}, {scheme}: {rule}" for rule in violations(page, OF_REAL_LANGUAGES, rules)]
+    if state not in IN_BLOCKS | IN_A_TEXT:
         found += [f"the Tab key does not reach {control}" for control in page.unreached()]
     return found
 

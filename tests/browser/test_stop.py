@@ -43,7 +43,7 @@ def lift_second_finger(page, selector):
                                 {"type": "touchEnd", "touchPoints": [{"x": x, "y": y, "id": 1}]})
 
 
-def test_a_pupils_button_stops_all_robots_and_release_lets_none_start_by_itself(page, pupil, world):
+def test_a_pupils_button_stops_all_robots_and_none_starts_by_itself_after_the_teachers_release(page, pupil, world):
     pupil.choose(OTHER_ROBOT)
     world.drive(page, ROBOT)
     world.drive(pupil, OTHER_ROBOT)
@@ -55,9 +55,7 @@ def test_a_pupils_button_stops_all_robots_and_release_lets_none_start_by_itself(
     world.stay_stopped(ROBOT, OTHER_ROBOT)
     page.lift()
     world.drive(page, ROBOT)
-
-
-def test_a_pupil_sees_that_the_teacher_stopped_and_waits_for_the_teacher(page, pupil, world):
+    page.lift()
     page.click("#stop")
     pupil.wait_for_text("status", "Your teacher stopped all robots.")
     assert pupil.run(RELEASE_IS_DISABLED)
@@ -65,22 +63,18 @@ def test_a_pupil_sees_that_the_teacher_stopped_and_waits_for_the_teacher(page, p
     pupil.wait_for(lambda: not pupil.run(RELEASE_IS_DISABLED), "a Release that can be pressed")
 
 
-def test_a_key_stops_and_what_is_still_held_does_not_drive_after_the_release(page, world):
-    for key in "Escape", "Space":
+def test_a_key_or_ros_stops_and_what_is_still_held_does_not_drive_after_the_release(page, world):
+    for key, act in (("Escape", lambda: page.tap("Escape")), ("Space", lambda: page.tap("Space")),
+                     ("emergency_stop.py", world.emergency_stop)):
         world.hold(page, lambda: page.press("ArrowUp"), lambda: page.let_go("ArrowUp"), ROBOT)
-        with world.stops(ROBOT, what=key):
-            page.tap(key)
+        act()
+        world.wait_for_stop(ROBOT, key)
         wait_for_stop(page)
         release(page)
         world.stay_stopped(ROBOT)
         page.let_go("ArrowUp")
     page.click("#name")
     page.tap("Escape")
-    wait_for_stop(page)
-
-
-def test_an_emergency_stop_from_ros_is_shown_and_what_is_refused_meanwhile_is_possible_after_its_release(page, world):
-    world.emergency_stop()
     wait_for_stop(page)
     page.touch()
     page.wait_for_text("notice", "it must be released first")
@@ -91,7 +85,7 @@ def test_an_emergency_stop_from_ros_is_shown_and_what_is_refused_meanwhile_is_po
     world.drive(page, ROBOT)
 
 
-def test_a_second_finger_stops_and_releases(page, world):
+def test_a_second_finger_stops_and_releases_all_or_one_robot_of_the_list_once_while_another_drives(page, world):
     world.drive(page, ROBOT, *HELD)
     touch_with_second_finger(page, "#stop")
     world.wait_for_stop(ROBOT)
@@ -101,9 +95,7 @@ def test_a_second_finger_stops_and_releases(page, world):
     lift_second_finger(page, "#release")
     wait_for_release(page)
     world.stay_stopped(ROBOT)
-
-
-def test_a_second_finger_stops_one_robot_of_the_list_once_while_another_drives(page, world):
+    page.lift()
     page.resize(1280, 800)
     button = f"#fleet li[data-robot='/{OTHER_ROBOT}'] .stop-one"
 
@@ -123,7 +115,7 @@ def test_a_second_finger_stops_one_robot_of_the_list_once_while_another_drives(p
     world.drive(page, OTHER_ROBOT)
 
 
-def test_each_press_is_sent_once_and_confirmed_though_it_is_released_at_once(page, world):
+def test_each_press_is_sent_once_and_confirmed_also_after_a_lost_connection_and_else_is_reported(page, world):
     page.run(KEEP_KINDS)
     for press in (lambda: page.element("stop").send_keys("\n"), lambda: page.click("#stop"),
                   lambda: page.run("document.getElementById('stop').click()")):
@@ -133,9 +125,6 @@ def test_each_press_is_sent_once_and_confirmed_though_it_is_released_at_once(pag
     assert [kind for kind in page.run("return kinds") if kind in ("stop", "release")] == ["stop", "release"] * 3
     world.stay_stopped(ROBOT, for_seconds=CONFIRM_TIMEOUT)
     assert not page.text("notice")
-
-
-def test_a_stop_without_a_connection_is_sent_when_it_is_back_and_one_that_is_not_confirmed_is_reported(page):
     page.run("socket.close()")
     page.wait_for_text("status", "No connection")
     page.click("#stop")

@@ -40,7 +40,7 @@ def shows_goal(page):
     return page.shows_on_map(COURSE_COLOR)
 
 
-def test_a_task_is_shown_and_gone_when_its_judge_is_killed(page, judge):
+def test_a_task_is_shown_while_its_judge_runs_and_a_score_until_the_robot_is_put_back(page, pupil, judge, world):
     page.media(prefers_color_scheme="dark")
     assert not shows_goal(page)
     judge("ready", "Drive when you are ready.")
@@ -49,10 +49,6 @@ def test_a_task_is_shown_and_gone_when_its_judge_is_killed(page, judge):
     assert "One <b>metre</b>" in page.text("task"), "a title is text"
     judge.kill()
     page.wait_for(lambda: not (shows_goal(page) or page.text("task")), "the goal and the task to vanish")
-    page.media()
-
-
-def test_a_score_stays_without_its_judge_until_the_robot_is_put_back(page, pupil, judge, world):
     judge("done", "in English", LATE)
     page.wait_for_text("task-result", "87.3 points, 3.4 s")
     page.wait_for_text("task-text", "Largest loss: took <b>9</b> s (12.5 points).")

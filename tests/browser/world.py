@@ -24,6 +24,7 @@ from .wheels import Speeds, WheelRecord
 NAME = "class.test"  # a name of this computer that needs a code; the browsers of the tests resolve it to 127.0.0.1
 LONGEST_GAP = 0.2    # s between two turns of a page, above which the switch may rightly fire
 OBEY_TIMEOUT = 2.0   # s until what a person does has moved a robot
+LOOK_INTERVAL = 0.05  # s between two looks, as each may ask the master or a page
 STOP_TIMEOUT = 0.7   # s; the cockpit's switch fires after 0.3 s; the rest is for a busy computer
 TRIES = 5            # on a busy computer
 NODE_SHUTDOWN = 10.0  # s, until a node that hangs while it ends is killed
@@ -93,7 +94,7 @@ class World:
 
     def wait_for(self, condition: Callable[[], object], within: float, what: str) -> None:
         """Fail unless the condition becomes true within this many seconds; what: its description."""
-        assert wait_until(condition, within), f"waited {within} s for {what}; wheels " \
+        assert wait_until(condition, within, LOOK_INTERVAL), f"waited {within} s for {what}; wheels " \
             f"{[self.wheels(robot) for robot in self.robots]}{self._logs()}"
 
     def wait_until_free(self, robot: str) -> None:
@@ -150,7 +151,7 @@ class World:
         for _ in range(TRIES):
             start = time.time()
             press()
-            if wait_until(condition, OBEY_TIMEOUT):
+            if wait_until(condition, OBEY_TIMEOUT, LOOK_INTERVAL):
                 return
             if not self.paused(page, start):
                 break
