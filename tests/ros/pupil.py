@@ -19,6 +19,7 @@ from project_copy import ROOT, clean_environment, copy_built_project
 LESSONS = sorted((ROOT / "docs/lessons").glob("[0-9]*.md"), key=lambda page: int(page.name.partition("_")[0]))
 ABOUT_FILES = ("cd ", "mkdir ", "chmod ", "sed ", "catkin_create_pkg ")
 OPEN = "./morbot shell\n"  # opens a terminal
+ROAM = {"seconds=60.0": "seconds=20.0", "SQUARES = 30 ": "SQUARES = 10 "}  # 40 s less of pictures: 11 s of CPU time
 OFFLINE = re.compile(r"Could not resolve|unable to access|unable to look up|timed out")
 
 
@@ -32,6 +33,10 @@ class Pupil:
     def __init__(self, home: Path):
         self._home = home
         self._project = copy_built_project(home)
+        tasks = self._project / "morbot_ws/src/driving_tasks/src/driving_tasks/scoring/tasks.py"
+        for text, shorter in ROAM.items():
+            assert text in tasks.read_text()
+            tasks.write_text(tasks.read_text().replace(text, shorter))
         port = free_port()
         (home / ".bashrc").write_text(
             f"PS1='{PS1}'\nbind 'set enable-bracketed-paste off'\nexport ROS_MASTER_URI=http://localhost:{port}\n")
