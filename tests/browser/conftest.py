@@ -13,8 +13,6 @@ from .world import World
 
 TABLET = (1024, 768)  # px
 ROBOT, OTHER_ROBOT = "jetbot_01", "jetbot_02"
-STILL = """document.querySelectorAll('#end, #release, .stop-one[data-action=release]').forEach(each => each.click());
-dispatchEvent(new Event('blur'))"""  # nothing drives, and nothing is stopped, until the page is opened again
 
 
 def some(rows: Iterable, *always) -> list:
@@ -74,29 +72,14 @@ def page(browsers, world):
 @pytest.fixture
 def blocks(browsers, world, tmp_path):
     """A function that opens a program in the teacher's page for programs, on a tablet, and returns the page."""
-    yield from programs_opened(browsers(1), world, tmp_path)
-
-
-@pytest.fixture(scope="module")
-def same_blocks(browsers, world, tmp_path_factory):
-    """The same on one page for all tests of a file, each of which begins with again()."""
-    yield from programs_opened(browsers(1), world, tmp_path_factory.mktemp("programs"))
-
-
-def programs_opened(page, world, folder):
     def load(content):
-        page.element("file").send_keys(as_file(folder, content))
+        page.element("file").send_keys(as_file(tmp_path, content))
         page.wait_for(lambda: not page.value("file"), "the file to be read")
         return page
-
-    def again():
-        page.resize(*TABLET)
-        page.choose(ROBOT)
-        return load
-    load.again = again
-    load.undisturbed = partial(world.undisturbed, page)
+    page = browsers(1)
     for _ in opened(page, world, f"{world.address}program"):
         page.screen(*TABLET)
+        load.undisturbed = partial(world.undisturbed, page)
         yield load
 
 
@@ -108,9 +91,8 @@ def opened(page, world, url):
     yield page
     errors = page.errors()
     page.media()
-    page.close_other_tabs()
-    page.lift()
-    page.run(STILL)
+    page.run("document.querySelectorAll('#release, .stop-one[data-action=release]').forEach(each => each.click())")
+    page.leave()
     for robot in world.robots:
         world.wait_for_stop(robot)
     world.delete_programs()

@@ -1,7 +1,5 @@
 """The page for programs by keys alone: no mouse, no finger, and the focus is never lost."""
 
-import pytest
-
 from .conftest import ROBOT
 from .messages import TASKS
 from .programs import drive, plug, program, show, wait
@@ -16,11 +14,6 @@ LISTEN = """window.said = [];
         if (each.ariaLive !== "off") said.push(each.textContent);
     }).observe(each, {childList: true});"""
 TEXT_BOX = "Blockly.getMainWorkspace().getBlocksByType('text')[0].getField('TEXT').showEditor()"
-
-
-@pytest.fixture
-def blocks(same_blocks):
-    return same_blocks.again()
 
 
 def wait_for_spoken(page, words):

@@ -35,11 +35,6 @@ CLEAR = """const { left, top, width } = document.getElementById(arguments[0]).ge
     return shown.closest("#" + arguments[0]) !== null"""
 
 
-@pytest.fixture
-def blocks(same_blocks):
-    return same_blocks.again()
-
-
 def undisturbed(test):
     """Let a test do all again, from its program's start on, only if it fails and the page or this process paused."""
     @functools.wraps(test)
