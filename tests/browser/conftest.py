@@ -90,7 +90,6 @@ def opened(page, world, url):
     page.errors()
     yield page
     errors = page.errors()
-    page.media()
     page.run("document.querySelectorAll('#release, .stop-one[data-action=release]').forEach(each => each.click())")
     page.leave()
     for robot in world.robots:

@@ -76,6 +76,7 @@ def test_keys_alone_lead_from_the_login_to_driving_taking_over_stop_and_release(
 
 
 def test_a_screen_reader_finds_the_pad_and_learns_where_the_robot_is_and_the_focus_goes_down_the_page(page):
+    page.send({"type": "reset", "robot": None})  # a test before has driven
     page.wait_for(lambda: "faces ahead" in page.element("map").get_attribute("aria-label"), "the robot's place")
     place = page.element("map").get_attribute("aria-label")
     found = tree(page)

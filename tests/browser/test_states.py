@@ -20,7 +20,8 @@ from .screens import DESKTOP, FINGER, MOUSE
 from .test_python_page import suggested, type_at_end
 from .test_work import edit
 
-SCREENS = [(320, 568), (390, 844), (844, 390), (820, 1180), (1180, 820), (640, 400), (400, 300), DESKTOP]  # px
+SCREENS = [  # px
+    (360, 640), (320, 568), (390, 844), (844, 390), (820, 1180), (1180, 820), (640, 400), (400, 300), DESKTOP]
 WITH_MOUSE = DESKTOP, (640, 400)
 NAME = "a_robot_with_a_name_of_forty_characters_"
 LONG_TEXTS = f"""document.getElementById('notice').textContent = '[{LONG}]';
@@ -191,7 +192,7 @@ IN_A_TEXT = {"text", "suggestions", "text that failed"}  # which has the Tab key
 def look(page, state):
     """Return what is wrong with a page in its present state."""
     found = [f"English: {text}" for text in page.untranslated(*KNOWN)]
-    for scheme, screens, rules in ("dark", SCREENS[:4], RULES), ("light", SCREENS[4:], ["color-contrast"]):
+    for scheme, screens, rules in ("dark", SCREENS[:5], RULES), ("light", SCREENS[5:], ["color-contrast"]):
         page.media(prefers_color_scheme=scheme, prefers_reduced_motion="reduce")
         for width, height in screens[-1:] if state in IN_BLOCKS else screens:
             page.resize(width, height, touch=(width, height) not in WITH_MOUSE)
