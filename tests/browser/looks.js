@@ -103,7 +103,7 @@ function noteFocus() {
 function unreached() {
   const around = document.querySelector("dialog[open]") ?? document;
   return [...around.querySelectorAll(`:is(${CONTROLS}, summary, #pad, #python, #output)`)].filter((each) => visible(each)
-    && !each.disabled && each.tabIndex >= 0 && !each.closest("svg, .blocklyWidgetDiv, #blocks, #text") && !window.focused.has(each))
+    && !each.disabled && !each.closest("svg, .blocklyWidgetDiv, #blocks, #text") && !window.focused.has(each))
     .map(nameOf);
 }
 
