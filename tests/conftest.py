@@ -16,8 +16,8 @@ LONGEST = (PAGES, "::test_the_page[python_worker.test.js]", "/test_fleet_update.
 FLEET = "tests/fleet/"  # all of these share one school
 BROWSER = "tests/browser/"  # the files that a process runs of these tests share a world and its browsers
 SLOWEST = [f"{BROWSER}test_{name}.py" for name in (  # of a browser's files, the longest first
-    "states", "engines", "python_safety", "python_lesson", "program", "curves", "python_page", "python_page_equal",
-    "hub_page", "sharing", "work", "accessibility", "driving", "camera", "keys", "access", "stop", "robots", "page")]
+    "states", "program", "engines", "python_page", "sharing", "curves", "hub_page", "camera", "work", "accessibility",
+    "keys", "python_safety", "driving", "stop", "page", "tablet_lesson", "python_page_equal", "access", "dead_man")]
 PROCESSES = 8  # of ./morbot test
 OF_A_ROBOT = re.compile("JETBOT_|MORBOT$|ROSCONSOLE_|ROS_(MASTER_URI|IP|NAMESPACE|LOG_DIR)$|PYTHONWARNINGS$")
 ALLOWED_SKIPS = {  # in CI, where any other skip is an error: a part of a test's id, and why it may be skipped there

@@ -13,6 +13,8 @@ from .world import World
 
 TABLET = (1024, 768)  # px
 ROBOT, OTHER_ROBOT = "jetbot_01", "jetbot_02"
+FORGET_PROGRAMS = """for (const key of Object.keys(localStorage))
+    if (key.includes("program")) localStorage.removeItem(key)"""
 
 
 def some(rows: Iterable, *always) -> list:
@@ -103,6 +105,7 @@ def pupil(browsers, world):
     """A pupil's page in another browser, with ROBOT chosen."""
     pupil = browsers(2)
     pupil.open(world.codes()["pupil"], ROBOT)
+    pupil.run(FORGET_PROGRAMS)  # else its page for programs goes on with what a test before has left unsaved
     yield pupil
     pupil.leave()
 
