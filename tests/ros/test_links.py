@@ -1,5 +1,6 @@
 """Who publishes tells each listener itself, whatever the master and the other listeners do."""
 
+import contextlib
 import socket
 import threading
 import time
@@ -7,7 +8,9 @@ from types import SimpleNamespace
 from xmlrpc.server import SimpleXMLRPCServer
 
 import pytest
+from rosgraph.network import encode_ros_handshake_header
 from rospy.impl.registration import Registration
+from std_msgs.msg import Bool
 
 from jetbot.wait import wait_until
 from jetbot_ros import announcer, links
@@ -84,6 +87,35 @@ def node(monkeypatch):
 def test_a_publisher_that_was_not_announced_is_connected(node):
     assert links.Links().heal()
     assert wait_until(lambda: node.done == [("connect", TOPIC, PUBLISHER, "/new")], 10.0)
+
+
+@pytest.mark.parametrize("problem, tries", [
+    ("[/cockpit] is not a publisher of [/stop]. Topics are []", 2), ("Internal error processing topic [/stop]", 2),
+    ("Client [/listener] wants topic [/stop] to have datatype/md5sum [a/b], but our version has [c/d]", 1)])
+def test_only_a_publisher_that_will_not_is_left_alone_and_not_one_that_has_just_ended(monkeypatch, problem, tries):
+    subscriber = SimpleNamespace(data_class=Bool, queue_size=1, buff_size=65536, tcp_nodelay=True,
+                                 has_connection=lambda uri: False)
+    monkeypatch.setattr(links, "get_topic_manager",
+                        lambda: SimpleNamespace(get_subscriber_impl=lambda topic: subscriber))
+    monkeypatch.setattr(links, "_busy_until", {})
+    monkeypatch.setattr("rospy.impl.tcpros_base._use_tcp_keepalive", True)  # else it asks a master
+    asked = []
+
+    def answer():
+        with contextlib.suppress(OSError):  # the server is closed
+            while True:
+                connection, _ = server.accept()
+                with connection:
+                    connection.recv(4096)
+                    connection.sendall(encode_ros_handshake_header({"error": problem}))
+
+    with socket.create_server(("localhost", 0)) as server:
+        monkeypatch.setattr(links, "ask", lambda *_: asked.append(_) or ("TCPROS", "localhost",
+                                                                         server.getsockname()[1]))
+        threading.Thread(target=answer, daemon=True).start()
+        for _ in range(2):
+            links.connect(TOPIC, PUBLISHER)
+    assert len(asked) == tries
 
 
 def test_a_master_that_does_not_know_this_node_is_told_once_the_robot_is_held(node):

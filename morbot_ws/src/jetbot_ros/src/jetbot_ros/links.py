@@ -7,6 +7,7 @@ time limit (ros_comm#1555): three frozen subscribers, of whatever topic, keep ev
 import contextlib
 import errno
 import math
+import re
 import socket
 import threading
 import time
@@ -35,6 +36,7 @@ HEAL_INTERVAL = 1.0      # s from one check of the links to the next
 HEADER_TIMEOUT = 5.0     # s for a publisher's header
 REFUSED_INTERVAL = 30.0  # s until a publisher that has refused, as one of another type does, is asked again
 WARN_INTERVAL = 10.0     # s
+ENDED = re.compile("is not a publisher of|Internal error processing topic|Node is shutting down")  # rospy's, of a topic
 KEEP_ALIVE = {"TCP_KEEPIDLE": 1, "TCP_KEEPINTVL": 1, "TCP_KEEPCNT": 8}  # s, s, probes: after a cut, a link ends in 9 s
 
 Graph = Tuple[Dict[str, List[str]], Dict[str, List[str]], Dict[str, List[str]]]  # as master.system_state returns it
@@ -202,7 +204,7 @@ def open_link(topic: str, subscriber, uri: str) -> Optional[Link]:
         link.connect(host, port, uri, HEADER_TIMEOUT)
     except TransportException:
         problem = (link.header or {}).get("error")
-        if not problem:
+        if not problem or ENDED.search(problem):  # which may begin again a moment later
             raise
         rospy.logwarn(f"{topic}: the publisher at {uri[:80]!a} refuses: {problem[:200]!a}")
         return None
