@@ -2,6 +2,7 @@
 
 import json
 import re
+import time
 from abc import ABC, abstractmethod
 from typing import Callable, Dict, List, NamedTuple, Tuple
 
@@ -11,6 +12,7 @@ from jetbot.wait import wait_until
 
 from .world import LONGEST_GAP, TRIES
 
+TRY_AGAIN = 1.0  # s, as a person needs; the cockpit's publisher has ended by then, and connects anew
 STARVED = re.compile("was interrupted, so the robot stopped|did not get ready in time")  # by a busy computer
 PAGE_TIMEOUT = 20.0  # s for what a page shows; other tests may run meanwhile
 # Keeps the socket, and for other pages of this origin the newest commands that the page sends, and when it paused.
@@ -107,6 +109,7 @@ class CockpitPage(ABC):
             if text.lower() in self.text(name).lower():
                 return True
             if name in ("outcome", "prints") and self.is_starved() and next(tries, None) is not None:
+                time.sleep(TRY_AGAIN)
                 self.run("document.getElementById('run').click()")
             return False
         self.wait_for(is_shown, f"{text!r} in #{name}")

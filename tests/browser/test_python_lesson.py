@@ -7,6 +7,7 @@ import pytest
 
 from jetbot.wait import wait_until
 
+from .cockpit_page import TRY_AGAIN
 from .conftest import ROBOT, TABLET, some
 from .test_python_page import is_marked, marked
 from .test_tablet_lesson import tap
@@ -102,6 +103,7 @@ def run(page, world, sentence="The program has ended."):
         outcome = page.text("outcome")
         if outcome == sentence or not world.paused(page, start):
             break
+        time.sleep(TRY_AGAIN)
     assert outcome == sentence
     world.wait_for_stop(ROBOT)
     driven = [tuple(round(each, 1) for each in speeds) for speeds in world.record.driven(ROBOT, start)]
